@@ -1,0 +1,56 @@
+// Compile-time switches: an effect that is off leaves no code, no branch and no history slot.
+
+#ifndef LUBCONTACT_EFFECTS_H
+#define LUBCONTACT_EFFECTS_H
+
+namespace lubcontact {
+
+enum : unsigned {    // bits of a mask
+  SQUEEZE = 1,       // squeeze film in the normal direction
+  SHEAR = 2,         // tangential film
+  FRICTION = 4,      // Coulomb friction of the asperities
+  ROLL = 8,          // rolling torque of the film
+  TWIST = 16,        // twisting torque of the film
+  NUM_COMBINATIONS = 32
+};
+
+// History of a pair (i,j): doubles kept from step to step. Frame: laboratory.
+//   slot    size  meaning                               dimension  new pair        i <-> j
+//   GAP     1     ln(u/a), u = gap of deformed surfaces 1          first_gap()     even
+//   SURFACE 1     un = |r| - R_i - R_j at the last step length     present value   even
+//   SHEAR   3     elastic shear displacement            length     0               odd
+//   ROLL    3     elastic part of the relative rolling  1          0               odd
+//   TWIST   1     elastic part of the relative twist    1          0               even
+template <unsigned MASK> struct Effects {
+  static constexpr bool squeeze = MASK & SQUEEZE;
+  static constexpr bool shear = MASK & SHEAR;
+  static constexpr bool friction = MASK & FRICTION;
+  static constexpr bool roll = MASK & ROLL;
+  static constexpr bool twist = MASK & TWIST;
+  static constexpr bool tangential = shear || friction;
+  static constexpr bool turns = tangential || roll;    // some history vector co-rotates
+
+  // the film laws of shear, roll and twist read the gap; without squeeze it is quasi-static
+  static constexpr bool gap_history = squeeze;
+  static constexpr bool surface_history = squeeze || turns || twist;
+
+  static constexpr int GAP_SLOT = 0;
+  static constexpr int SURFACE_SLOT = GAP_SLOT + (gap_history ? 1 : 0);
+  static constexpr int SHEAR_SLOT = SURFACE_SLOT + (surface_history ? 1 : 0);
+  static constexpr int ROLL_SLOT = SHEAR_SLOT + (tangential ? 3 : 0);
+  static constexpr int TWIST_SLOT = ROLL_SLOT + (roll ? 3 : 0);
+  static constexpr int HISTORY_SIZE = TWIST_SLOT + (twist ? 1 : 0);
+};
+
+// History of (j,i) from that of (i,j).
+template <class E> inline void exchange_history(const double *source, double *target)
+{
+  for (int m = 0; m < E::HISTORY_SIZE; m++) {
+    const bool odd = m >= E::SHEAR_SLOT && m < E::TWIST_SLOT;
+    target[m] = odd ? -source[m] : source[m];
+  }
+}
+
+}    // namespace lubcontact
+
+#endif

@@ -1,0 +1,85 @@
+// Resistances of the film between two spheres, leading order in the gap, per pair.
+// Squeeze, shear: N.A. Frankel, A. Acrivos, Chem. Eng. Sci. 22, 847 (1967); R.C. Ball,
+// J.R. Melrose, Physica A 247, 444 (1997). Roll: D.J. Jeffrey, Y. Onishi, J. Fluid Mech. 139,
+// 261 (1984), Y^C11 - Y^C12 of equal spheres; see doc/src/lubcontact_model.rst.
+//
+// u = gap/a and ln_u = ln(gap/a) are both arguments: u may underflow where ln_u does not.
+
+#ifndef LUBCONTACT_FILM_H
+#define LUBCONTACT_FILM_H
+
+#include <cmath>
+
+namespace lubcontact {
+
+static constexpr double PI = 3.14159265358979323846;
+
+// Which pairs are lubricated, and how it ends: CUT un < range*a, forces as they are;
+// SHIFTED: minus their resistance at the end of the range, where they vanish.
+enum class Range { CUT, SHIFTED };
+
+struct Film {
+  double viscosity;     // of the fluid, pressure*time
+  double range;         // lubricated pairs have un < range*a
+  double shift;         // SHIFTED: 1/range; CUT: 0
+  double shear_end;     // SHIFTED: shear_shape() at the range; CUT: 0
+  double roll_end;      // SHIFTED: roll_shape() at the range; CUT: 0
+  double twist_end;     // SHIFTED: min(0, ln range); CUT: 0
+  double roll_coeff;    // coefficient of the rolling torque, 3/5 asymptotically
+};
+
+// Squeeze: F = nu a^2 (du/dt)/u with nu = (3/2) pi eta, pressure*time.
+inline double squeeze_coeff(double viscosity)
+{
+  return 1.5 * PI * viscosity;
+}
+
+// Shear over pi eta a:  [ (2+u) ln((2+u)/u) - 2 ] / 2.
+inline double shear_shape(double u, double ln_u)
+{
+  return 0.5 * (2.0 + u) * (std::log(2.0 + u) - ln_u) - 1.0;
+}
+
+// Rolling over pi eta a^3:  (c + (63/125) u) ln(1/u), c = 3/5. Zero beyond u = 1, where the
+// logarithm changes sign and the torque would pump energy.
+inline double roll_shape(double coeff, double u, double ln_u)
+{
+  return ln_u < 0.0 ? -(coeff + 0.504 * u) * ln_u : 0.0;
+}
+
+// Force/velocity resisting the relative tangential velocity of the surfaces.
+inline double shear_resistance(const Film &f, double a, double u, double ln_u)
+{
+  return PI * f.viscosity * a * std::fmax(0.0, shear_shape(u, ln_u) - f.shear_end);
+}
+
+// Torque/angular velocity resisting the relative rolling.
+inline double roll_resistance(const Film &f, double a, double u, double ln_u)
+{
+  return PI * f.viscosity * a * a * a *
+      std::fmax(0.0, roll_shape(f.roll_coeff, u, ln_u) - f.roll_end);
+}
+
+// Torque/angular velocity resisting the relative twist: pi eta a^3 u ln(1/u) below u = 1. As
+// u ln(1/u) is not monotone, SHIFTED shifts the logarithm.
+inline double twist_resistance(const Film &f, double a, double u, double ln_u)
+{
+  return PI * f.viscosity * a * a * a * u * std::fmax(0.0, f.twist_end - ln_u);
+}
+
+inline Film make_film(double viscosity, double range, Range rule, double roll_coeff)
+{
+  Film f{viscosity, range, 0.0, 0.0, 0.0, 0.0, roll_coeff};
+  if (rule == Range::SHIFTED) {
+    const double ln_range = std::log(range);
+    f.shift = 1.0 / range;
+    f.shear_end = shear_shape(range, ln_range);
+    f.roll_end = roll_shape(roll_coeff, range, ln_range);
+    f.twist_end = std::fmin(0.0, ln_range);
+  }
+  return f;
+}
+
+}    // namespace lubcontact
+
+#endif

@@ -1,0 +1,169 @@
+// The whole law of a pair, composed of its modes. Pure: old history in, next history or load out;
+// the caller decides what is stored. The load depends on positions and history alone, so that a
+// restarted run, single() and the computes see exactly the forces of the run.
+
+#ifndef LUBCONTACT_PAIR_H
+#define LUBCONTACT_PAIR_H
+
+#include "lubcontact_effects.h"
+#include "lubcontact_geometry.h"
+#include "lubcontact_normal.h"
+#include "lubcontact_roll.h"
+#include "lubcontact_shear.h"
+#include "lubcontact_twist.h"
+
+namespace lubcontact {
+
+struct PairCoeffs {    // of a pair of types
+  NormalCoeffs normal;
+  double kt;    // tangential stiffness, force/length; kt a^2 for roll and twist
+  double mu;    // coefficient of friction
+};
+
+struct Load {
+  double contact;    // normal forces on i along n
+  double film;
+  Vec3 shear;        // tangential force on i: friction and film
+  Vec3 couple;       // rolling and twisting torque on i; j gets the opposite
+  double u;          // gap of the deformed surfaces, length
+  double cone;       // largest friction force
+};
+
+// ln(u/a) of the present state.
+template <class E>
+inline double present_gap(const PairCoeffs &c, const PairGeometry &g, const double *history)
+{
+  if constexpr (E::gap_history) return history[E::GAP_SLOT];
+  return elastic_gap(c.normal.gap, g.un / g.a);
+}
+
+template <class E> inline bool has_film(const Film &f)
+{
+  return E::squeeze && f.viscosity > 0.0;
+}
+
+inline Vec3 get_vector(const double *slot)
+{
+  return {slot[0], slot[1], slot[2]};
+}
+
+inline void put_vector(const Vec3 &a, double *slot)
+{
+  slot[0] = a.x;
+  slot[1] = a.y;
+  slot[2] = a.z;
+}
+
+// History of a pair seen for the first time.
+template <class E>
+inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *next)
+{
+  for (int m = 0; m < E::HISTORY_SIZE; m++) next[m] = 0.0;
+  if constexpr (E::gap_history) next[E::GAP_SLOT] = elastic_gap(c.normal.gap, g.un / g.a);
+  if constexpr (E::surface_history) next[E::SURFACE_SLOT] = g.un;
+}
+
+// History after a step of length dt that ended at the geometry g. old and next may be the same.
+template <class E>
+inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry &g, const Body &i,
+                         const Body &j, double dt, const double *old, double *next)
+{
+  if constexpr (!E::surface_history) return;
+
+  const double un_old = old[E::SURFACE_SLOT];
+  double y0, y1;    // ln(u/a) before and after
+  if constexpr (E::gap_history) {
+    y0 = old[E::GAP_SLOT];
+    y1 = next_gap(c.normal, f, g.a, y0, un_old / g.a, g.un / g.a, dt);
+    next[E::GAP_SLOT] = y1;
+  } else {
+    y0 = elastic_gap(c.normal.gap, un_old / g.a);
+    y1 = elastic_gap(c.normal.gap, g.un / g.a);
+  }
+  next[E::SURFACE_SLOT] = g.un;
+
+  if constexpr (E::turns || E::twist) {
+    const PairMotion m = pair_motion(g, i, j, g.r - g.un + un_old, dt);
+    const double u1 = std::exp(y1);
+    // the films of shear, roll and twist see the gap at mid-step
+    const double ln_u = 0.5 * (y0 + y1);
+    const double u = 0.5 * (std::exp(y0) + u1);
+
+    if constexpr (E::tangential) {
+      double cone = 0.0, x = HUGE_VAL;
+      if constexpr (E::friction)
+        cone = c.mu / c.kt * normal_force(c.normal, g.a, g.un, g.a * u1, has_film<E>(f)).contact;
+      if constexpr (E::shear) x = c.kt * dt / shear_resistance(f, g.a, u, ln_u);
+      const Vec3 q0 = tangential(turned(get_vector(old + E::SHEAR_SLOT), m.turn), g.n);
+      put_vector(next_shear(q0, m.slip, cone, x), next + E::SHEAR_SLOT);
+    }
+    const double kr = c.kt * g.a * g.a;
+    if constexpr (E::roll) {
+      const double x = kr * dt / roll_resistance(f, g.a, u, ln_u);
+      const Vec3 q0 = tangential(turned(get_vector(old + E::ROLL_SLOT), m.turn), g.n);
+      put_vector(next_roll(q0, m.roll, x), next + E::ROLL_SLOT);
+    }
+    if constexpr (E::twist) {
+      const double x = kr * dt / twist_resistance(f, g.a, u, ln_u);
+      next[E::TWIST_SLOT] = next_twist(old[E::TWIST_SLOT], m.twist, x);
+    }
+  }
+}
+
+// Forces and torques at the geometry g, from the history of that moment.
+template <class E>
+inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
+                      const double *history)
+{
+  Load load{};
+  load.u = g.a * std::exp(present_gap<E>(c, g, history));
+  const NormalForce normal = normal_force(c.normal, g.a, g.un, load.u, has_film<E>(f));
+  load.contact = normal.contact;
+  load.film = normal.film;
+  if constexpr (E::friction) load.cone = c.mu * normal.contact;
+  // the tangent plane may have turned since the history was stored
+  if constexpr (E::tangential)
+    load.shear = -c.kt * tangential(get_vector(history + E::SHEAR_SLOT), g.n);
+  const double kr = c.kt * g.a * g.a;
+  if constexpr (E::roll)
+    load.couple = -kr * tangential(get_vector(history + E::ROLL_SLOT), g.n);
+  if constexpr (E::twist) load.couple = load.couple + (-kr * history[E::TWIST_SLOT]) * g.n;
+  return load;
+}
+
+inline Vec3 force_on_i(const Load &load, const PairGeometry &g)
+{
+  return (load.contact + load.film) * g.n + load.shear;
+}
+
+// Torques about the centres; together with the force they conserve angular momentum.
+inline Vec3 torque_on_i(const Load &load, const PairGeometry &g)
+{
+  return load.couple - g.arm_i * cross(g.n, load.shear);
+}
+
+inline Vec3 torque_on_j(const Load &load, const PairGeometry &g)
+{
+  return -1.0 * load.couple - g.arm_j * cross(g.n, load.shear);
+}
+
+// Contact state, and the share of friction in the tangential force.
+inline ShearSplit split(const Load &load)
+{
+  return shear_split(load.shear, load.cone, load.contact > 0.0);
+}
+
+// Energy stored in the springs.
+template <class E>
+inline double pair_energy(const PairCoeffs &c, const PairGeometry &g, const Load &load)
+{
+  double energy = normal_energy(c.normal, g.a, g.un, load.u);
+  if constexpr (E::tangential) energy += 0.5 * dot(load.shear, load.shear) / c.kt;
+  if constexpr (E::roll || E::twist)
+    energy += 0.5 * dot(load.couple, load.couple) / (c.kt * g.a * g.a);
+  return energy;
+}
+
+}    // namespace lubcontact
+
+#endif

@@ -1,0 +1,22 @@
+// Rolling torque of the film, regularised by a spring in series so that it never limits the step.
+// Resistance: roll_resistance() in lubcontact_film.h.
+
+#ifndef LUBCONTACT_ROLL_H
+#define LUBCONTACT_ROLL_H
+
+#include "lubcontact_maxwell.h"
+#include "lubcontact_vec3.h"
+
+namespace lubcontact {
+
+// Elastic part of the relative rolling after a step: q0 already turned with the pair, roll the
+// relative rolling of the step, x = stiffness dt/resistance. Torque on i: -stiffness q.
+inline Vec3 next_roll(const Vec3 &q0, const Vec3 &roll, double x)
+{
+  const Relaxation f = relaxation(x);
+  return f.keep * q0 + f.gain * roll;
+}
+
+}    // namespace lubcontact
+
+#endif

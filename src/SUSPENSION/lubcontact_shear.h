@@ -1,0 +1,63 @@
+// Tangential mode: Maxwell film with Coulomb friction of the asperities in parallel.
+//   F = -kt q,  dq/dt = slip rate                          while the contact sticks
+//   nu_t (slip rate - dq/dt) = kt q - (mu N) q/|q|         while it slips, or N = 0 without contact
+// Model: W. Chevremont, B. Chareyre, H. Bodiguel, Powder Technol. 372, 600 (2020), eqs. 23-33, with
+// the sign of eqs. 26 and 31 corrected; here integrated exactly in time instead of by Euler.
+
+#ifndef LUBCONTACT_SHEAR_H
+#define LUBCONTACT_SHEAR_H
+
+#include "lubcontact_maxwell.h"
+#include "lubcontact_vec3.h"
+
+namespace lubcontact {
+
+enum class ContactState { NONE, STICK, SLIP };
+
+// q after a step.
+//   q0      elastic displacement, already turned with the pair
+//   slip    tangential displacement of the step
+//   cone    mu N/kt: longest elastic displacement that friction alone can hold; 0 without contact
+//   x       kt dt/nu_t, infinity without film
+inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone, double x)
+{
+  if (!(cone > 0.0)) {
+    const Relaxation f = relaxation(x);
+    return f.keep * q0 + f.gain * slip;
+  }
+
+  const Vec3 trial = q0 + slip;
+  const double far = norm(trial);
+  if (far <= cone) return trial;    // stick: the film carries nothing
+
+  // slip along the trial direction; if it began inside the cone it sticks until the border
+  const double near = norm(q0);
+  double size;
+  if (near < cone) {
+    const double share = (far - cone) / (far - near);    // of the step spent slipping
+    size = cone + relaxation(x * share).gain * (far - cone);
+  } else {
+    const Relaxation f = relaxation(x);
+    size = std::fmax(cone, cone + f.keep * (near - cone) + f.gain * (far - near));
+  }
+  return (size / far) * trial;
+}
+
+// State and share of the friction in the tangential force, from the elastic displacement alone.
+struct ShearSplit {
+  ContactState state;
+  double contact;    // friction over the whole tangential force, 0 to 1; the rest is the film
+};
+
+inline ShearSplit shear_split(const Vec3 &q, double cone, bool touching)
+{
+  if (!touching) return {ContactState::NONE, 0.0};
+  const double size = norm(q);
+  // a slip without film returns to the cone only to rounding
+  if (size < cone * (1.0 - 1e-12)) return {ContactState::STICK, 1.0};
+  return {ContactState::SLIP, size > 0.0 ? std::fmin(1.0, cone / size) : 1.0};
+}
+
+}    // namespace lubcontact
+
+#endif

@@ -1,0 +1,21 @@
+// Twisting torque of the film, regularised by a spring in series so that it never limits the step.
+// Resistance: twist_resistance() in lubcontact_film.h.
+
+#ifndef LUBCONTACT_TWIST_H
+#define LUBCONTACT_TWIST_H
+
+#include "lubcontact_maxwell.h"
+
+namespace lubcontact {
+
+// Elastic part of the relative twist after a step: twist the relative rotation of the step about
+// n, x = stiffness dt/resistance. Torque on i: -stiffness q n.
+inline double next_twist(double q0, double twist, double x)
+{
+  const Relaxation f = relaxation(x);
+  return f.keep * q0 + f.gain * twist;
+}
+
+}    // namespace lubcontact
+
+#endif

@@ -1,0 +1,133 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#ifdef PAIR_CLASS
+// clang-format off
+PairStyle(lubcontact,PairLubcontact);
+// clang-format on
+#else
+
+#ifndef LMP_PAIR_LUBCONTACT_H
+#define LMP_PAIR_LUBCONTACT_H
+
+#include "pair.h"
+
+#include <utility>
+#include <vector>
+
+namespace lubcontact {
+struct Body;
+struct Film;
+struct Load;
+struct PairCoeffs;
+struct PairGeometry;
+}    // namespace lubcontact
+
+namespace LAMMPS_NS {
+
+class PairLubcontact : public Pair {
+ public:
+  PairLubcontact(class LAMMPS *);
+  ~PairLubcontact() override;
+
+  void compute(int, int) override;
+  double single(int, int, int, int, double, double, double, double &) override;
+  void settings(int, char **) override;
+  void coeff(int, char **) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  void setup() override;
+  void write_restart(FILE *) override;
+  void read_restart(FILE *) override;
+  void write_restart_settings(FILE *) override;
+  void read_restart_settings(FILE *) override;
+  void write_data(FILE *) override;
+  void write_data_all(FILE *) override;
+  void *extract(const char *, int &) override;
+  void transfer_history(double *, double *, int, int) override;
+  int pack_reverse_comm(int, int, double *) override;
+  void unpack_reverse_comm(int, int *, double *) override;
+  double memory_usage() override;
+
+  // stress by origin, in the steps that a compute stress/partition asked for
+  static constexpr int NUM_PARTS = 4;          // contact and lubrication, normal and tangential
+  static constexpr int NUM_COMPONENTS = 9;     // xx yy zz xy xz yz yx zx zy of sum r_a F_b
+  double partition[NUM_PARTS][NUM_COMPONENTS];    // this rank's share
+  bigint partition_step;                          // step it belongs to
+
+ protected:
+  // settings
+  double eta;           // viscosity
+  char *eta_name;       // equal-style variable that sets it, or null
+  int eta_var;
+  double hc;            // range over the effective radius
+  int range_rule;       // lubcontact::Range
+  int radius_rule;      // lubcontact::Radius
+  int euler;            // gap integrator
+  enum { SQUEEZE, SHEAR, ROLL, TWIST, NUM_MODES };
+  int mode[NUM_MODES];    // films on or off
+  double roll_coeff;
+
+  // coefficients per pair of types, as given or mixed
+  double **g, **kt, **asperity, **roughness, **friction;
+  int **coulomb;                         // friction law: none (0) or coulomb (1)
+  lubcontact::PairCoeffs **coeffs;       // what the loop needs
+  double **reach;                        // largest gap that acts, over the effective radius
+  lubcontact::Film *film;
+
+  double *max_radius;    // per type
+  std::vector<double> stiffness;    // sum over the partners, at set-up
+  class FixDummy *fix_dummy;
+  class FixNeighHistory *fix_history;
+  bool reported;         // the table of this run has been printed
+  bool partition_now;
+  std::vector<class Compute *> clients;    // every compute stress/partition
+
+  // one instance of the loop per combination of effects
+  using Eval = void (PairLubcontact::*)();
+  using Single = lubcontact::Load (PairLubcontact::*)(int, int, const lubcontact::PairGeometry &,
+                                                      double &);
+  using Exchange = void (*)(const double *, double *);
+  unsigned mask;
+  int size_history;
+  Eval eval;
+  Single eval_single;
+  Exchange exchange;
+  template <std::size_t... MASK> void choose_effects(std::index_sequence<MASK...>);
+  template <unsigned MASK> void eval_effects();
+  template <unsigned MASK>
+  lubcontact::Load single_effects(int, int, const lubcontact::PairGeometry &, double &);
+  template <class E>
+  void apply(int, int, const lubcontact::PairCoeffs &, const lubcontact::PairGeometry &,
+             const lubcontact::Load &);
+
+  void allocate();
+  void parse_coeff(int, char **, int, double *);
+  void find_max_radius();
+  void check_radii() const;
+  void check_variable();
+  unsigned choose_mask() const;
+  void require_history();
+  void update_viscosity();
+  double effective_radius(double, double) const;
+  const double *find_history(int, int, double *) const;
+  void tally_partition(double, const lubcontact::PairGeometry &, const lubcontact::Load &);
+  void write_pair(FILE *, int, int) const;
+  void check_box() const;
+  double sum_stiffness();
+  double time_step_limit() const;
+  double shear_rate() const;
+  void report(double, double);
+  [[noreturn]] void overlap_error(int, int, double) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,230 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// What pair style lubcontact checks and reports at the start of a run.
+
+#include "pair_lubcontact.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix.h"
+#include "force.h"
+#include "lubcontact_pair.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "update.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+/* ----------------------------------------------------------------------
+   largest radius of each type, those that fix pour and deposit will insert included
+------------------------------------------------------------------------- */
+
+void PairLubcontact::find_max_radius()
+{
+  const int ntypes = atom->ntypes;
+  std::vector<double> mine(ntypes + 1, 0.0);
+  for (const auto &ifix : modify->get_fix_list()) {
+    if (!utils::strmatch(ifix->style, "^pour") && !utils::strmatch(ifix->style, "^deposit"))
+      continue;
+    for (int itype = 1; itype <= ntypes; itype++) {
+      int m = itype;
+      const auto *radius = (double *) ifix->extract("radius", m);
+      if (radius) mine[itype] = MAX(mine[itype], *radius);
+    }
+  }
+  for (int i = 0; i < atom->nlocal; i++)
+    mine[atom->type[i]] = MAX(mine[atom->type[i]], atom->radius[i]);
+  MPI_Allreduce(mine.data(), max_radius, ntypes + 1, MPI_DOUBLE, MPI_MAX, world);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::check_radii() const
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->radius[i] > max_radius[atom->type[i]])
+      error->one(FLERR,
+                 "Radius {} of atom {} exceeds the largest radius {} of its type at the start of "
+                 "the run, for which the neighbor list was made; start a new run after it grows",
+                 atom->radius[i], atom->tag[i], max_radius[atom->type[i]]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::overlap_error(int i, int j, double un) const
+{
+  error->one(FLERR,
+             "Atoms {} and {} overlap by {:.4g} effective radii at step {}: reduce the time step, "
+             "stiffen the contact, or separate the particles first",
+             atom->tag[i], atom->tag[j], -un, update->ntimestep);
+}
+
+/* ----------------------------------------------------------------------
+   history is found by atom ID: a pair must not meet through two images
+------------------------------------------------------------------------- */
+
+void PairLubcontact::check_box() const
+{
+  const double *hi = domain->h_inv;
+  const double height[3] = {1.0 / sqrt(hi[0] * hi[0] + hi[5] * hi[5] + hi[4] * hi[4]),
+                            1.0 / sqrt(hi[1] * hi[1] + hi[3] * hi[3]), 1.0 / hi[2]};
+  for (int d = 0; d < domain->dimension; d++)
+    if (domain->periodicity[d] && height[d] < 2.0 * cutforce)
+      error->all(FLERR,
+                 "Periodic box height {:.6g} along {} is below twice the range {:.6g} of pair style "
+                 "lubcontact, so that a pair could meet through two images: enlarge the box, "
+                 "replicate it, or shorten the range",
+                 height[d], "xyz"[d], cutforce);
+}
+
+/* ----------------------------------------------------------------------
+   sum over the partners of each owned atom of the stiffest spring: normal, or tangential plus
+   rolling over the inertia of a sphere. Returns the number of pairs in range on this rank
+------------------------------------------------------------------------- */
+
+double PairLubcontact::sum_stiffness()
+{
+  const int nlocal = atom->nlocal;
+  stiffness.assign(nlocal + atom->nghost, 0.0);
+  double pairs = 0.0;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    const double *xi = atom->x[i];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const int itype = atom->type[i], jtype = atom->type[j];
+      const double *xj = atom->x[j];
+      const double ri = atom->radius[i], rj = atom->radius[j], a = effective_radius(ri, rj);
+      const auto geometry = lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]},
+                                                      ri, rj, a);
+      if (geometry.un >= reach[itype][jtype] * a) continue;
+      const double spin = 2.5 * kt[itype][jtype] * (mode[ROLL] || mode[TWIST] ? 2.0 : 1.0);
+      const double k = MAX(g[itype][jtype], spin);
+      stiffness[i] += k;
+      stiffness[j] += k;
+      pairs += force->newton_pair || j < nlocal ? 1.0 : 0.5;
+    }
+  }
+  if (force->newton_pair) comm->reverse_comm(this);
+  return pairs;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int PairLubcontact::pack_reverse_comm(int n, int first, double *buf)
+{
+  for (int m = 0; m < n; m++) buf[m] = stiffness[first + m];
+  return n;
+}
+
+void PairLubcontact::unpack_reverse_comm(int n, int *list, double *buf)
+{
+  for (int m = 0; m < n; m++) stiffness[list[m]] += buf[m];
+}
+
+/* ----------------------------------------------------------------------
+   largest stable time step of the springs: omega_max^2 <= 2 max_i sum_j k_ij/m_i (Gershgorin)
+------------------------------------------------------------------------- */
+
+double PairLubcontact::time_step_limit() const
+{
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++) mine = MAX(mine, 2.0 * stiffness[i] / atom->rmass[i]);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all > 0.0 ? 2.0 / sqrt(all) : HUGE_VAL;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::setup()
+{
+  check_box();
+  update_viscosity();
+  const double mine = sum_stiffness();
+  double pairs;
+  MPI_Allreduce(&mine, &pairs, 1, MPI_DOUBLE, MPI_SUM, world);
+  const double limit = time_step_limit();
+  if (update->dt > limit && comm->me == 0)
+    error->warning(FLERR,
+                   "Time step {} exceeds {:.4g}, the stability limit of the contact springs in the "
+                   "present state: reduce it, or soften the contact", update->dt, limit);
+  if (!reported) report(pairs, limit);
+  reported = true;
+}
+
+/* ----------------------------------------------------------------------
+   table: what this run simulates
+------------------------------------------------------------------------- */
+
+void PairLubcontact::report(double pairs, double limit)
+{
+  double mine[3] = {0.0, 0.0, 0.0}, most[3];    // largest radius, -smallest, density
+  mine[1] = -HUGE_VAL;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double r = atom->radius[i];
+    mine[0] = MAX(mine[0], r);
+    mine[1] = MAX(mine[1], -r);
+    mine[2] = MAX(mine[2], atom->rmass[i] / (4.0 / 3.0 * lubcontact::PI * r * r * r));
+  }
+  MPI_Allreduce(mine, most, 3, MPI_DOUBLE, MPI_MAX, world);
+  if (comm->me) return;
+
+  auto yes = [](bool on) { return on ? "yes" : "no"; };
+  std::string text = "Pair style lubcontact: what this run simulates\n";
+  text += fmt::format("  squeeze film   {}{}\n", yes(mode[SQUEEZE]),
+                      mode[SQUEEZE] ? (euler ? ", gap euler" : ", gap exponential") : "");
+  text += fmt::format("  shear film     {}\n", yes(mode[SHEAR]));
+  text += fmt::format("  rolling film   {}{}\n", yes(mode[ROLL]),
+                      mode[ROLL] ? fmt::format(", coefficient {:.6g}", roll_coeff) : "");
+  text += fmt::format("  twisting film  {}\n", yes(mode[TWIST]));
+  text += fmt::format("  friction       {}\n", mask & lubcontact::FRICTION ? "coulomb" : "none");
+  text += fmt::format("  range          {} {:.6g} effective radii, radius {}\n",
+                      range_rule ? "shifted" : "cut", hc, radius_rule ? "harmonic" : "mean");
+  text += fmt::format("  viscosity      {:.6g}{}\n", eta,
+                      eta_name ? fmt::format(" now, variable {}", eta_name)
+                               : (eta == 0.0 ? ": dry grains" : ""));
+  text += fmt::format("  particles      {}, radius {:.6g} to {:.6g}, {:.6g} pairs in range, "
+                      "{} doubles of history a pair\n",
+                      atom->natoms, -most[1], most[0], pairs, size_history);
+  const int shown = MIN(atom->ntypes, 4);
+  for (int i = 1; i <= shown; i++)
+    for (int j = i; j <= shown; j++)
+      text += fmt::format("  types {} {}      g {:.6g} kt {:.6g} asperity {:.6g} roughness {:.6g} "
+                          "friction {:.6g}\n",
+                          i, j, g[i][j], kt[i][j], asperity[i][j], roughness[i][j],
+                          coulomb[i][j] ? friction[i][j] : 0.0);
+  if (shown < atom->ntypes) text += "  further types: see write_data pair ij\n";
+  text += fmt::format("  time step      {:.6g}, {:.3g} of the stability limit {:.6g}\n", update->dt,
+                      update->dt / limit, limit);
+
+  const double rate = shear_rate();
+  if (rate != 0.0) {
+    text += fmt::format("  shear rate     {:.6g}, Ca = eta rate a/g = {:.3g}", rate,
+                        eta * fabs(rate) * most[0] / g[1][1]);
+    if (eta > 0.0)
+      text += fmt::format(", St = rho a^2 rate/eta = {:.3g}",
+                          most[2] * most[0] * most[0] * fabs(rate) / eta);
+    text += "\n";
+  }
+  utils::logmesg(lmp, text);
+}
+
+/* ----------------------------------------------------------------------
+   of the cell, if a fix deform shears it
+------------------------------------------------------------------------- */
+
+double PairLubcontact::shear_rate() const
+{
+  return domain->triclinic && domain->deform_flag ? domain->h_rate[5] / domain->yprd : 0.0;
+}

@@ -1,0 +1,88 @@
+/* ----------------------------------------------------------------------
+   SUSPENSION - dense suspensions with lubricated contacts, for LAMMPS
+
+   This file is part of SUSPENSION. SUSPENSION is free software: you can
+   redistribute it and/or modify it under the terms of the GNU General
+   Public License version 2 as published by the Free Software Foundation.
+
+   It is distributed without any warranty; see the file LICENSE.
+------------------------------------------------------------------------- */
+
+// Entry point of the plugin: LAMMPS calls lammpsplugin_init() when it loads suspensionplugin.so.
+
+#include "compute_stress_partition.h"
+#include "fix_drag_background.h"
+#include "pair_lubcontact.h"
+
+#include "lammpsplugin.h"
+#include "library.h"
+#include "version.h"
+
+#include <string>
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+// creators as LAMMPS wants them; it casts the result to Base *, hence the conversion before void *
+
+template <class Base, class Style> void *create(void *lmp)
+{
+  return static_cast<Base *>(new Style(static_cast<LAMMPS *>(lmp)));
+}
+
+template <class Base, class Style> void *create_with_args(void *lmp, int narg, char **arg)
+{
+  return static_cast<Base *>(new Style(static_cast<LAMMPS *>(lmp), narg, arg));
+}
+
+// LAMMPS merely reports a version mismatch, and not even that when it loads plugins by itself.
+// The layout of its classes differs between versions, hence only its C functions are used here.
+
+void refuse_other_lammps(void *lmp)
+{
+  std::string reason;
+  if (lammps_version(lmp) != LAMMPS_VERNUM)
+    reason = "it was compiled for LAMMPS version " + std::to_string(LAMMPS_VERNUM) + ", this is version " +
+        std::to_string(lammps_version(lmp));
+  else if ((lammps_extract_setting(lmp, "tagint") != (int) sizeof(tagint)) ||
+           (lammps_extract_setting(lmp, "bigint") != (int) sizeof(bigint)))
+    reason = "it was compiled with other integer sizes than this LAMMPS (CMake option LAMMPS_SIZES)";
+  else
+    return;
+
+  reason = "Cannot use the SUSPENSION plugin: " + reason +
+      ". Compile the plugin with the source tree of this LAMMPS (CMake option LAMMPS_SOURCE_DIR).";
+  lammps_error(lmp, LMP_ERROR_ALL | LMP_ERROR_WORLD, reason.c_str());
+}
+
+}    // namespace
+
+extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
+{
+  refuse_other_lammps(lmp);
+
+  lammpsplugin_t plugin{};
+  plugin.version = LAMMPS_VERSION;
+  plugin.info = "SUSPENSION: dense suspensions with lubricated contacts";
+  plugin.author = "the SUSPENSION authors";
+  plugin.handle = handle;
+  const auto register_plugin = reinterpret_cast<lammpsplugin_regfunc>(regfunc);
+
+  const auto pair = [&](const char *name, lammpsplugin_factory1 *creator) {
+    plugin.style = "pair";
+    plugin.name = name;
+    plugin.creator.v1 = creator;
+    register_plugin(&plugin, lmp);
+  };
+  const auto with_args = [&](const char *style, const char *name, lammpsplugin_factory2 *creator) {
+    plugin.style = style;
+    plugin.name = name;
+    plugin.creator.v2 = creator;
+    register_plugin(&plugin, lmp);
+  };
+
+  pair("lubcontact", &create<Pair, PairLubcontact>);
+  with_args("compute", "stress/partition", &create_with_args<Compute, ComputeStressPartition>);
+  with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
+}
