@@ -39,28 +39,21 @@ template <class Base, class Style> void *create_with_args(void *lmp, int narg, c
 // LAMMPS merely reports a version mismatch, and not even that when it loads plugins by itself.
 // The layout of its classes differs between versions, hence only its C functions are used here.
 
-void refuse_other_lammps(void *lmp)
+void refuse_other_version(void *lmp)
 {
-  std::string reason;
-  if (lammps_version(lmp) != LAMMPS_VERNUM)
-    reason = "it was compiled for LAMMPS version " + std::to_string(LAMMPS_VERNUM) + ", this is version " +
-        std::to_string(lammps_version(lmp));
-  else if ((lammps_extract_setting(lmp, "tagint") != (int) sizeof(tagint)) ||
-           (lammps_extract_setting(lmp, "bigint") != (int) sizeof(bigint)))
-    reason = "it was compiled with other integer sizes than this LAMMPS (CMake option LAMMPS_SIZES)";
-  else
-    return;
+  if (lammps_version(lmp) == LAMMPS_VERNUM) return;
 
-  reason = "Cannot use the SUSPENSION plugin: " + reason +
-      ". Compile the plugin with the source tree of this LAMMPS (CMake option LAMMPS_SOURCE_DIR).";
-  lammps_error(lmp, LMP_ERROR_ALL | LMP_ERROR_WORLD, reason.c_str());
+  const auto message = "Cannot use the SUSPENSION plugin: it was compiled for LAMMPS version " +
+      std::to_string(LAMMPS_VERNUM) + ", this is version " + std::to_string(lammps_version(lmp)) +
+      ". Compile the plugin with the sources of this LAMMPS (CMake option LAMMPS_SOURCE_DIR).";
+  lammps_error(lmp, LMP_ERROR_ALL | LMP_ERROR_WORLD, message.c_str());
 }
 
 }    // namespace
 
 extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
 {
-  refuse_other_lammps(lmp);
+  refuse_other_version(lmp);
 
   lammpsplugin_t plugin{};
   plugin.version = LAMMPS_VERSION;

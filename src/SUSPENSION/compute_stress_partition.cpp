@@ -33,7 +33,8 @@ ComputeStressPartition::ComputeStressPartition(LAMMPS *lmp, int narg, char **arg
     error->all(FLERR, 3, "Unknown compute stress/partition argument: {}; it takes none", arg[3]);
   if (igroup)
     error->all(FLERR, 1,
-               "Compute stress/partition is of the whole cell: use group all instead of {}", arg[1]);
+               "Compute stress/partition is of the whole cell: use group all instead of {}",
+               arg[1]);
 
   array_flag = 1;
   size_array_rows = NUM_PARTS + 1;    // the pair channels, then inertia
@@ -62,8 +63,9 @@ void ComputeStressPartition::init()
       pairs.push_back(dynamic_cast<PairLubcontact *>(pair));
   }
   if (pairs.empty())
-    error->all(FLERR, "Compute stress/partition splits the forces of pair_style lubcontact, which "
-                      "is not defined");
+    error->all(FLERR,
+               "Compute stress/partition splits the forces of pair_style lubcontact, which "
+               "is not defined");
 }
 
 /* ----------------------------------------------------------------------

@@ -72,7 +72,8 @@ void FixDragBackground::setup(int vflag)
   if (update->dt > limit)
     error->all(FLERR,
                "Time step {} exceeds {:.4g}, the shortest relaxation time under the drag of fix "
-               "drag/background: reduce it or increase the density", update->dt, limit);
+               "drag/background: reduce it or increase the density",
+               update->dt, limit);
   post_force(vflag);
 }
 
@@ -85,10 +86,9 @@ void FixDragBackground::post_force(int /*vflag*/)
     if (!(atom->mask[i] & groupbit)) continue;
     const double *v = atom->v[i], *omega = atom->omega[i];
     const Vec3 flow{rate * atom->x[i][1], 0.0, 0.0};
-    const Vec3 force =
-        lubcontact::drag_force(eta, atom->radius[i], {v[0], v[1], v[2]}, flow);
-    const Vec3 torque = lubcontact::drag_torque(
-        eta, atom->radius[i], {omega[0], omega[1], omega[2]}, vorticity);
+    const Vec3 force = lubcontact::drag_force(eta, atom->radius[i], {v[0], v[1], v[2]}, flow);
+    const Vec3 torque =
+        lubcontact::drag_torque(eta, atom->radius[i], {omega[0], omega[1], omega[2]}, vorticity);
     double *f = atom->f[i], *t = atom->torque[i];
     f[0] += force.x;
     f[1] += force.y;

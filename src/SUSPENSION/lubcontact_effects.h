@@ -16,7 +16,7 @@ enum : unsigned {    // bits of a mask
 
 // History of a pair (i,j): doubles kept from step to step. Frame: laboratory.
 //   slot    size  meaning                               dimension  new pair        i <-> j
-//   GAP     1     ln(u/a), u = gap of deformed surfaces 1          first_gap()     even
+//   GAP     2     u/a and ln(u/a), u gap of the surfaces  1          elastic_gap()   even
 //   SURFACE 1     un = |r| - R_i - R_j at the last step length     present value   even
 //   SHEAR   3     elastic shear displacement            length     0               odd
 //   ROLL    3     elastic part of the relative rolling  1          0               odd
@@ -30,12 +30,13 @@ template <unsigned MASK> struct Effects {
   static constexpr bool tangential = shear || friction;
   static constexpr bool turns = tangential || roll;    // some history vector co-rotates
 
-  // the film laws of shear, roll and twist read the gap; without squeeze it is quasi-static
+  // without squeeze the gap is quasi-static: no history
   static constexpr bool gap_history = squeeze;
+  static constexpr bool reads_gap = tangential || roll || twist;
   static constexpr bool surface_history = squeeze || turns || twist;
 
   static constexpr int GAP_SLOT = 0;
-  static constexpr int SURFACE_SLOT = GAP_SLOT + (gap_history ? 1 : 0);
+  static constexpr int SURFACE_SLOT = GAP_SLOT + (gap_history ? 2 : 0);
   static constexpr int SHEAR_SLOT = SURFACE_SLOT + (surface_history ? 1 : 0);
   static constexpr int ROLL_SLOT = SHEAR_SLOT + (tangential ? 3 : 0);
   static constexpr int TWIST_SLOT = ROLL_SLOT + (roll ? 3 : 0);

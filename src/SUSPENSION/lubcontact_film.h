@@ -8,6 +8,8 @@
 #ifndef LUBCONTACT_FILM_H
 #define LUBCONTACT_FILM_H
 
+#include "lubcontact_vec3.h"
+
 #include <cmath>
 
 namespace lubcontact {
@@ -34,10 +36,25 @@ inline double squeeze_coeff(double viscosity)
   return 1.5 * PI * viscosity;
 }
 
+// ln(2 + u), by its series in u/(4 + u) where that is short.
+inline double log_two_plus(double u)
+{
+  if (!(u >= 0.0 && u < 0.5)) return std::log(2.0 + u);
+  const double s = u / (4.0 + u), t = s * s;
+  return 0.69314718055994531 +
+      2.0 * s *
+      (1.0 +
+       t *
+           (1.0 / 3 +
+            t *
+                (1.0 / 5 +
+                 t * (1.0 / 7 + t * (1.0 / 9 + t * (1.0 / 11 + t * (1.0 / 13 + t / 15)))))));
+}
+
 // Shear over pi eta a:  [ (2+u) ln((2+u)/u) - 2 ] / 2.
 inline double shear_shape(double u, double ln_u)
 {
-  return 0.5 * (2.0 + u) * (std::log(2.0 + u) - ln_u) - 1.0;
+  return 0.5 * (2.0 + u) * (log_two_plus(u) - ln_u) - 1.0;
 }
 
 // Rolling over pi eta a^3:  (c + (63/125) u) ln(1/u), c = 3/5. Zero beyond u = 1, where the
@@ -50,21 +67,20 @@ inline double roll_shape(double coeff, double u, double ln_u)
 // Force/velocity resisting the relative tangential velocity of the surfaces.
 inline double shear_resistance(const Film &f, double a, double u, double ln_u)
 {
-  return PI * f.viscosity * a * std::fmax(0.0, shear_shape(u, ln_u) - f.shear_end);
+  return PI * f.viscosity * a * larger(0.0, shear_shape(u, ln_u) - f.shear_end);
 }
 
 // Torque/angular velocity resisting the relative rolling.
 inline double roll_resistance(const Film &f, double a, double u, double ln_u)
 {
-  return PI * f.viscosity * a * a * a *
-      std::fmax(0.0, roll_shape(f.roll_coeff, u, ln_u) - f.roll_end);
+  return PI * f.viscosity * a * a * a * larger(0.0, roll_shape(f.roll_coeff, u, ln_u) - f.roll_end);
 }
 
 // Torque/angular velocity resisting the relative twist: pi eta a^3 u ln(1/u) below u = 1. As
 // u ln(1/u) is not monotone, SHIFTED shifts the logarithm.
 inline double twist_resistance(const Film &f, double a, double u, double ln_u)
 {
-  return PI * f.viscosity * a * a * a * u * std::fmax(0.0, f.twist_end - ln_u);
+  return PI * f.viscosity * a * a * a * u * larger(0.0, f.twist_end - ln_u);
 }
 
 inline Film make_film(double viscosity, double range, Range rule, double roll_coeff)

@@ -16,45 +16,51 @@
 
 namespace lubcontact {
 
+// Gap over a, and its logarithm: u may underflow where ln_u does not, and is kept beside it so that
+// a step need not take the exponential of its own logarithm.
+struct Gap {
+  double u;
+  double ln_u;
+};
+
 // phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s).
 struct ExponentialMean {
   double phi;
   double mean_s2;
+  double exp_minus_z;
 };
 
 // integral_0^1 exp(-z s) ds = sum (-z)^n/(n+1)!  and  integral_0^1 s^2 exp(-z s) ds
 // = sum (-z)^n/(n! (n+3))
 static constexpr double PHI_SERIES[12] = {
-    1.0,           1.0 / 2,      1.0 / 6,       1.0 / 24,       1.0 / 120,       1.0 / 720,
-    1.0 / 5040,    1.0 / 40320,  1.0 / 362880,  1.0 / 3628800,  1.0 / 39916800,  1.0 / 479001600};
-static constexpr double PSI_SERIES[12] = {
-    1.0 / 3,       1.0 / 4,      1.0 / 10,      1.0 / 36,       1.0 / 168,       1.0 / 960,
-    1.0 / 6480,    1.0 / 50400,  1.0 / 443520,  1.0 / 4354560,  1.0 / 47174400,  1.0 / 558835200};
+    1.0,        1.0 / 2,     1.0 / 6,      1.0 / 24,      1.0 / 120,      1.0 / 720,
+    1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600};
+static constexpr double PSI_SERIES[9] = {1.0 / 3,   1.0 / 4,    1.0 / 10,    1.0 / 36,    1.0 / 168,
+                                         1.0 / 960, 1.0 / 6480, 1.0 / 50400, 1.0 / 443520};
 
 inline ExponentialMean exponential_mean(double z)
 {
-  if (std::fabs(z) < 0.3) {    // Taylor series, to rounding
-    double phi = 0.0, psi = 0.0;
-    for (int n = 11; n >= 0; n--) {
-      phi = PHI_SERIES[n] - z * phi;
-      psi = PSI_SERIES[n] - z * psi;
-    }
-    return {phi, psi / phi};
+  if (std::fabs(z) < 0.3) {    // Taylor series, to rounding; the mean to 1e-11
+    double phi = PHI_SERIES[11], psi = PSI_SERIES[8];
+    for (int n = 10; n >= 0; n--) phi = PHI_SERIES[n] - z * phi;
+    for (int n = 7; n >= 0; n--) psi = PSI_SERIES[n] - z * psi;
+    return {phi, psi / phi, 1.0 - z * phi};
   }
-  const double e = std::exp(-z);
-  return {(1.0 - e) / z, (2.0 - e * (z * z + 2.0 * z + 2.0)) / (z * z * (1.0 - e))};
+  const double e = std::exp(-z), lost = 1.0 - e;
+  const double inverse = 1.0 / (z * z * lost);    // one division for both
+  return {z * lost * lost * inverse, (2.0 - e * (z * z + 2.0 * z + 2.0)) * inverse, e};
 }
 
-// ln phi(z) and the same mean, for any z.
+// ln phi(z) instead of phi(z), for any z.
 inline ExponentialMean log_exponential_mean(double z)
 {
   if (std::fabs(z) < 30.0) {
     const ExponentialMean m = exponential_mean(z);
-    return {std::log(m.phi), m.mean_s2};
+    return {std::log(m.phi), m.mean_s2, m.exp_minus_z};
   }
-  if (z > 0.0) return {-std::log(z), 2.0 / (z * z)};
+  if (z > 0.0) return {-std::log(z), 2.0 / (z * z), 0.0};
   const double i = -1.0 / z;
-  return {-z + std::log(i), 1.0 - 2.0 * i + 2.0 * i * i};
+  return {-z + std::log(i), 1.0 - 2.0 * i + 2.0 * i * i, std::exp(-z)};
 }
 
 inline double log_add_exp(double a, double b)
@@ -62,8 +68,16 @@ inline double log_add_exp(double a, double b)
   return std::fmax(a, b) + std::log1p(std::exp(-std::fabs(a - b)));
 }
 
+// ln(1 + q), without a call for the small q of a usual step.
+inline double log_ratio(double q)
+{
+  if (!(std::fabs(q) < 0.05)) return std::log1p(q);
+  const double s = q / (2.0 + q), t = s * s;    // 2 artanh(s)
+  return 2.0 * s * (1.0 + t * (1.0 / 3 + t * (1.0 / 5 + t * (1.0 / 7 + t * (1.0 / 9 + t / 11)))));
+}
+
 // One step of length h (in tau) with r going linearly from r0 to r1. Second order, exact for
-// constant r, positive by construction, right in both stiff limits.
+// constant r, positive by construction, right in both stiff limits. Returns ln u.
 inline double gap_exponential_any(double y0, double r0, double r1, double A, double h)
 {
   const double D = 0.5 * h * (r1 - r0);
@@ -71,25 +85,31 @@ inline double gap_exponential_any(double y0, double r0, double r1, double A, dou
   return -log_add_exp(-0.5 * h * (r0 + r1) - y0, std::log(A * h) + m.phi + D * m.mean_s2);
 }
 
-// The same where nothing can overflow, which is the usual case: no logarithm of a sum.
-inline double gap_exponential(double y0, double r0, double r1, double A, double h)
+// The same where nothing can overflow, which is the usual case: u0/u1 = exp(-x) + A h I u0.
+inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, double h)
 {
   const double x = 0.5 * h * (r0 + r1);
   const double D = 0.5 * h * (r1 - r0);
-  if (!(std::fabs(x) < 30.0 && std::fabs(D) < 1e-2 && std::fabs(y0) < 300.0))
-    return gap_exponential_any(y0, r0, r1, A, h);
+  if (!(std::fabs(x) < 30.0 && std::fabs(D) < 1e-2 && std::fabs(old.ln_u) < 300.0)) {
+    const double y1 = gap_exponential_any(old.ln_u, r0, r1, A, h);
+    return {std::exp(y1), y1};
+  }
   const ExponentialMean m = exponential_mean(x + D);
   const double q = D * m.mean_s2;
   const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 1e-11 at |q| < 1/300
-  return -std::log(std::exp(-x - y0) + A * h * m.phi * exp_q);
+  const double exp_D = 1.0 + D * (1.0 + D * (1.0 / 2 + D * (1.0 / 6 + D * (1.0 / 24 + D / 120))));
+  const double ratio = m.exp_minus_z * exp_D + A * h * m.phi * exp_q * old.u;
+  return {old.u / ratio, old.ln_u - log_ratio(ratio - 1.0)};
 }
 
 // One step of backward Euler (Chevremont's eq. 18), rationalised so that nothing cancels.
-inline double gap_euler(double y0, double r1, double A, double h)
+inline Gap gap_euler(const Gap &old, double r1, double A, double h)
 {
   const double b = r1 - 1.0 / h;
-  const double d = std::sqrt(b * b + 4.0 * A * std::exp(y0) / h);
-  return b <= 0.0 ? y0 + std::log(2.0 / (h * (d - b))) : std::log((b + d) / (2.0 * A));
+  const double d = std::sqrt(b * b + 4.0 * A * old.u / h);
+  const double y1 = b <= 0.0 ? old.ln_u + std::log(2.0 / (h * (d - b)))
+                             : std::log((b + d) / (2.0 * A));
+  return {std::exp(y1), y1};
 }
 
 struct GapLaw {
@@ -100,26 +120,27 @@ struct GapLaw {
 };
 
 // Step in one branch of the law, contact or not.
-inline double gap_branch(const GapLaw &law, bool contact, double y0, double un0, double un1,
-                         double h)
+inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un0, double un1,
+                      double h)
 {
   const double A = contact ? 1.0 + law.alpha : 1.0;
   const double add = contact ? law.alpha * law.eps : 0.0;
-  return law.euler ? gap_euler(y0, un1 + add, A, h)
-                   : gap_exponential(y0, un0 + add, un1 + add, A, h);
+  return law.euler ? gap_euler(old, un1 + add, A, h)
+                   : gap_exponential(old, un0 + add, un1 + add, A, h);
 }
 
-// Fraction of the step at which y reaches ln_eps, y1 being beyond it: bracketed secant.
-inline double gap_crossing(const GapLaw &law, bool contact, double y0, double y1, double un0,
-                           double un1, double h)
+// Fraction of the step at which ln_u reaches ln_eps, end being beyond it: bracketed secant.
+inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, const Gap &end,
+                           double un0, double un1, double h)
 {
-  double lo = 0.0, f_lo = y0 - law.ln_eps;
-  double hi = 1.0, f_hi = y1 - law.ln_eps;
+  double lo = 0.0, f_lo = old.ln_u - law.ln_eps;
+  double hi = 1.0, f_hi = end.ln_u - law.ln_eps;
   double t = 0.5;
   for (int n = 0; n < 30 && hi - lo > 1e-12; n++) {
     t = (lo * f_hi - hi * f_lo) / (f_hi - f_lo);
     if (!(t > lo && t < hi)) t = 0.5 * (lo + hi);
-    const double f = gap_branch(law, contact, y0, un0, un0 + t * (un1 - un0), t * h) - law.ln_eps;
+    const Gap there = gap_branch(law, contact, old, un0, un0 + t * (un1 - un0), t * h);
+    const double f = there.ln_u - law.ln_eps;
     if (std::fabs(f) < 1e-13) break;
     if ((f > 0.0) == (f_lo > 0.0)) {
       lo = t;
@@ -134,37 +155,48 @@ inline double gap_crossing(const GapLaw &law, bool contact, double y0, double y1
   return t;
 }
 
-// Step with the transitions between contact and no contact resolved inside it. At u = eps both
-// branches have the same rate, so there is no chatter; the limit of four is a guard.
-inline double gap_piece(const GapLaw &law, double y0, double un0, double un1, double h)
+// The rest of a step that crosses the border, branch by branch. At u = eps both branches have the
+// same rate, so there is no chatter; the limit of four is a guard.
+inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double un0, double un1,
+                     double h)
 {
-  // on the border the surfaces decide: they approach if un < eps
-  bool contact = y0 < law.ln_eps || (y0 == law.ln_eps && un0 + un1 < 2.0 * law.eps);
-  double y1 = gap_branch(law, contact, y0, un0, un1, h);
-  for (int n = 0; n < 4 && (contact ? y1 > law.ln_eps : y1 < law.ln_eps); n++) {
-    const double t = gap_crossing(law, contact, y0, y1, un0, un1, h);
+  for (int n = 0; n < 4 && (contact ? end.ln_u > law.ln_eps : end.ln_u < law.ln_eps); n++) {
+    const double t = gap_crossing(law, contact, gap, end, un0, un1, h);
     un0 += t * (un1 - un0);
     h *= 1.0 - t;
-    y0 = law.ln_eps;
+    gap = {law.eps, law.ln_eps};
     contact = !contact;
-    if (!(h > 0.0)) return y0;
-    y1 = gap_branch(law, contact, y0, un0, un1, h);
+    if (!(h > 0.0)) return gap;
+    end = gap_branch(law, contact, gap, un0, un1, h);
   }
-  return y1;
+  return end;
 }
 
-// ln(u/a) after a step of length h = dt/tau during which un/a goes from un0 to un1.
+// Step with the transitions between contact and no contact resolved inside it.
+inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0, double un1, double h)
+{
+  // on the border the surfaces decide: they approach if un < eps
+  const bool contact = old.ln_u < law.ln_eps ||
+      (old.ln_u == law.ln_eps && un0 + un1 < 2.0 * law.eps);
+  const Gap end = gap_branch(law, contact, old, un0, un1, h);
+  if (contact ? end.ln_u > law.ln_eps : end.ln_u < law.ln_eps)
+    return gap_cross(law, contact, old, end, un0, un1, h);
+  return end;
+}
+
+// Gap after a step of length h = dt/tau during which un/a goes from un0 to un1.
 // Where the surfaces move far in a film that relaxes fast the step is cut: 2 D <= 1 in each piece.
-inline double gap_step(const GapLaw &law, double y0, double un0, double un1, double h)
+inline Gap gap_step(const GapLaw &law, const Gap &old, double un0, double un1, double h)
 {
   static constexpr int MAX_PIECES = 16;    // beyond, the film is quasi-static within a piece
   const double D = 0.5 * h * std::fabs(un1 - un0);
-  if (D <= 0.5 || law.euler) return gap_piece(law, y0, un0, un1, h);
+  if (D <= 0.5 || law.euler) return gap_piece(law, old, un0, un1, h);
   const int pieces = static_cast<int>(std::min<double>(MAX_PIECES, std::ceil(std::sqrt(2.0 * D))));
   const double dh = h / pieces, dun = (un1 - un0) / pieces;
+  Gap gap = old;
   for (int n = 0; n < pieces; n++)
-    y0 = gap_piece(law, y0, un0 + n * dun, un0 + (n + 1) * dun, dh);
-  return y0;
+    gap = gap_piece(law, gap, un0 + n * dun, un0 + (n + 1) * dun, dh);
+  return gap;
 }
 
 }    // namespace lubcontact

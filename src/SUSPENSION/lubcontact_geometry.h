@@ -29,6 +29,8 @@ struct PairGeometry {
   double r;        // distance of the centres
   double un;       // r - R_i - R_j: gap of the undeformed surfaces, negative if they overlap
   double a;        // effective radius
+  double per_a;    // 1/a
+  double gap;      // un/a
   double arm_i;    // R_i + un/2: from the centre of i to the middle of the gap
   double arm_j;    // R_j + un/2: arm_i + arm_j = r, so that a rigid rotation has no slip
 };
@@ -41,43 +43,44 @@ inline PairGeometry pair_geometry(const Vec3 &xi, const Vec3 &xj, double ri, dou
   g.n = (1.0 / g.r) * d;
   g.un = g.r - (ri + rj);
   g.a = a;
+  g.per_a = 1.0 / a;
+  g.gap = g.un * g.per_a;
   g.arm_i = ri + 0.5 * g.un;
   g.arm_j = rj + 0.5 * g.un;
   return g;
 }
 
-// Relative motion over the last step, in the co-rotating frame of the pair.
+// Relative motion over the last step, in the frame that turns with the pair and is n at its end.
 struct PairMotion {
   Vec3 slip;       // tangential displacement at the middle of the gap, perpendicular to n, length
   Vec3 roll;       // rolling part of the relative rotation, perpendicular to n, angle
   double twist;    // twisting part of the relative rotation, about n, angle
-  Vec3 turn;       // Cayley vector that carries history vectors with the pair (tilt of n, mean spin)
+  Vec3 turn;    // Cayley vector that carries history vectors with the pair (tilt of n, mean spin)
 };
 
-// The step is undone with the velocities (x - dt v is the previous position for velocity Verlet),
-// and everything is taken at its middle: second order, and zero slip in a rigid rotation.
+// The velocities undo the step: x - dt v is the previous position for velocity Verlet. All is taken
+// at mid-step and carried to its end, second order: the mid-step normal is n - lean/2, and turning
+// it into n adds half a tilt. A rigid rotation by the angle t gives a slip of order r t^3/12.
 inline PairMotion pair_motion(const PairGeometry &g, const Body &i, const Body &j, double r_old,
                               double dt)
 {
   const Vec3 move = dt * (i.v - j.v);
-  const Vec3 d1 = g.r * g.n;
-  const Vec3 d0 = d1 - move;
-  const Vec3 dm = d1 - 0.5 * move;
-  const Vec3 nm = (1.0 / norm(dm)) * dm;
+  const double along = dot(move, g.n);
+  const double scale = 2.0 / (r_old + g.r - along);
+  const Vec3 tilt = scale * cross(g.n, move);        // takes the old normal to n
+  const Vec3 lean = scale * (move - along * g.n);    // tilt x n
 
-  const Vec3 spin_i = dt * i.omega;
-  const Vec3 spin_j = dt * j.omega;
-  const Vec3 difference = spin_i - spin_j;
+  const Vec3 arms = dt * (g.arm_i * i.omega + g.arm_j * j.omega);
+  const Vec3 difference = dt * (i.omega - j.omega);
+  const Vec3 sum = dt * (i.omega + j.omega);
+  const double about = dot(difference, g.n);
+  const double spin = 0.5 * (dot(sum, g.n) - 0.5 * dot(sum, lean));
 
   PairMotion m;
-  const Vec3 slip = tangential(move, nm) - cross(g.arm_i * spin_i + g.arm_j * spin_j, nm);
-  m.slip = tangential(slip, g.n);
-  m.twist = dot(difference, nm);
-  m.roll = tangential(tangential(difference, nm), g.n);
-
-  const Vec3 tilt = (2.0 / (r_old * g.r + dot(d0, d1))) * cross(d0, d1);
-  const Vec3 spin = (0.5 * dot(spin_i + spin_j, nm)) * g.n;
-  m.turn = tilt + spin + 0.5 * cross(spin, tilt);    // tilt first, then spin about the new n
+  m.slip = (0.5 * (r_old + g.r)) * lean - cross(arms, g.n) + (0.5 * dot(arms, g.n)) * tilt;
+  m.roll = difference - about * g.n + (0.5 * about) * lean;
+  m.twist = about - 0.5 * dot(difference, lean);
+  m.turn = tilt + spin * g.n - (0.5 * spin) * lean;    // tilt first, then spin about n
   return m;
 }
 

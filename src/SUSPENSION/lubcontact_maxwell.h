@@ -1,28 +1,26 @@
 // Maxwell element, spring and film in series, over one time step: shared by shear, roll and twist.
-// dq/dt = rate - q/relaxation, q = elastic part of the displacement. Exact for a constant rate, so
-// the film never limits the time step, however thin it is.
+//     dq/dt = rate - (stiffness/resistance) q,  q = elastic part of the displacement, force = -stiffness q
+// integrated by q1 = keep q0 + gain (rate dt), keep and gain being rational in stiffness dt/resistance:
+// second order, positive, L-stable, and exact in steady motion, where the force is that of the film
+// alone. So the film never limits the time step, however thick or thin it is.
 
 #ifndef LUBCONTACT_MAXWELL_H
 #define LUBCONTACT_MAXWELL_H
 
-#include <cmath>
-
 namespace lubcontact {
 
 struct Relaxation {
-  double keep;    // exp(-x): what remains of the old displacement
-  double gain;    // (1 - exp(-x))/x: what the displacement of this step adds
+  double keep;    // what remains of the old displacement
+  double gain;    // what the displacement of this step adds
 };
 
-// x = stiffness dt/resistance; infinity (no film) leaves nothing.
-inline Relaxation relaxation(double x)
+// With x = stiffness dt/resistance: keep = 1/(1 + x + x^2/2), gain = (1 + x/2) keep. No resistance
+// leaves nothing; stiffness_dt must be positive.
+inline Relaxation relaxation(double resistance, double stiffness_dt)
 {
-  if (x < 1e-3) {
-    const double gain = 1.0 - x * (1.0 / 2 - x * (1.0 / 6 - x * (1.0 / 24 - x / 120)));
-    return {1.0 - x * gain, gain};
-  }
-  const double keep = std::exp(-x);
-  return {keep, (1.0 - keep) / x};
+  const double R = resistance, S = stiffness_dt;
+  const double scale = R / (R * (R + S) + 0.5 * S * S);
+  return {R * scale, (R + 0.5 * S) * scale};
 }
 
 }    // namespace lubcontact

@@ -21,34 +21,34 @@ struct NormalForce {
 };
 
 // A smooth pair that overlaps without a past has no film to remember: it gets one this thin.
-static constexpr double LN_THINNEST = -18.420680743952367;    // ln(1e-8), lengths in a
+static constexpr double THINNEST = 1e-8;    // over a
 
-// ln(u/a) of elastic rest, where the film carries nothing: (un + alpha eps)/(1 + alpha) if the
-// asperities touch, un otherwise; un in units of a. It is the gap of a pair seen for the first
-// time, of dry contact, and of every pair if squeeze is off.
+// Gap of elastic rest, where the film carries nothing: (un + alpha eps)/(1 + alpha) if the
+// asperities touch, un otherwise; all over a. It is the gap of a pair seen for the first time, of
+// dry contact, and of every pair if squeeze is off.
 inline double elastic_gap(const GapLaw &law, double un)
 {
   const double u = un < law.eps ? (un + law.alpha * law.eps) / (1.0 + law.alpha) : un;
-  return u > 0.0 ? std::log(u) : LN_THINNEST;
+  return u > 0.0 ? u : THINNEST;
 }
 
 // Length of the time step in units of tau = nu a/g. With a shifted range the squeeze resistance is
 // nu (1 - u/range), frozen at the gap expected at mid-step (linearly implicit: positive, second
-// order); y0 = ln(u/a) and un/a at the beginning and end.
-inline double film_steps(const NormalCoeffs &c, const Film &f, double a, double y0, double un0,
+// order); un/a at the beginning and end.
+inline double film_steps(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0,
                          double un1, double dt)
 {
   const double h = dt * c.g / (squeeze_coeff(f.viscosity) * a);
   if (f.shift == 0.0) return h;
 
-  const double u0 = std::exp(y0);
-  const bool contact = y0 < c.gap.ln_eps;
+  const bool contact = old.ln_u < c.gap.ln_eps;
   const double A = contact ? 1.0 + c.gap.alpha : 1.0;
   const double r = 0.5 * (un0 + un1) + (contact ? c.gap.alpha * c.gap.eps : 0.0);
   static constexpr double LEAST = 1e-6;    // of the resistance, so that h stays finite
-  const double half = 0.5 * h / std::fmax(LEAST, 1.0 - u0 * f.shift);
-  const double um = u0 * (1.0 + half * std::fmax(0.0, r)) / (1.0 + half * (A * u0 + std::fmax(0.0, -r)));
-  return h / std::fmax(LEAST, 1.0 - um * f.shift);
+  const double half = 0.5 * h / larger(LEAST, 1.0 - old.u * f.shift);
+  const double middle =
+      old.u * (1.0 + half * larger(0.0, r)) / (1.0 + half * (A * old.u + larger(0.0, -r)));
+  return h / larger(LEAST, 1.0 - middle * f.shift);
 }
 
 // No film at all, or one that is at rest within 1e-12 of the step: dry contact.
@@ -57,12 +57,15 @@ inline bool is_dry(const NormalCoeffs &c, const Film &f, double a, double dt)
   return f.viscosity * 1e12 * a <= dt * c.g;
 }
 
-// ln(u/a) after a step; un in units of a.
-inline double next_gap(const NormalCoeffs &c, const Film &f, double a, double y0, double un0,
-                       double un1, double dt)
+// Gap after a step; un in units of a.
+inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0,
+                    double un1, double dt)
 {
-  if (is_dry(c, f, a, dt)) return elastic_gap(c.gap, un1);
-  return gap_step(c.gap, y0, un0, un1, film_steps(c, f, a, y0, un0, un1, dt));
+  if (is_dry(c, f, a, dt)) {
+    const double u = elastic_gap(c.gap, un1);
+    return {u, std::log(u)};
+  }
+  return gap_step(c.gap, old, un0, un1, film_steps(c, f, a, old, un0, un1, dt));
 }
 
 // Forces at surface separation un and gap u, lengths. Their sum is g (u - un). Without film the
@@ -70,15 +73,15 @@ inline double next_gap(const NormalCoeffs &c, const Film &f, double a, double y0
 inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, double u, bool film)
 {
   const double total = c.g * (u - un);
-  if (!film) return {std::fmax(0.0, total), 0.0};
-  const double contact = c.asperity * std::fmax(0.0, c.gap.eps * a - u);
+  if (!film) return {larger(0.0, total), 0.0};
+  const double contact = c.asperity * larger(0.0, c.gap.eps * a - u);
   return {contact, total - contact};
 }
 
 // Elastic energy of bulk and asperities.
 inline double normal_energy(const NormalCoeffs &c, double a, double un, double u)
 {
-  const double flat = std::fmax(0.0, c.gap.eps * a - u);
+  const double flat = larger(0.0, c.gap.eps * a - u);
   return 0.5 * c.g * (u - un) * (u - un) + 0.5 * c.asperity * flat * flat;
 }
 

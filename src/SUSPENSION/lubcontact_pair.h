@@ -23,18 +23,18 @@ struct PairCoeffs {    // of a pair of types
 struct Load {
   double contact;    // normal forces on i along n
   double film;
-  Vec3 shear;        // tangential force on i: friction and film
-  Vec3 couple;       // rolling and twisting torque on i; j gets the opposite
-  double u;          // gap of the deformed surfaces, length
-  double cone;       // largest friction force
+  Vec3 shear;     // tangential force on i: friction and film
+  Vec3 couple;    // rolling and twisting torque on i; j gets the opposite
+  double u;       // gap of the deformed surfaces, length
+  double cone;    // largest friction force
 };
 
-// ln(u/a) of the present state.
+// Gap over a of the present state.
 template <class E>
 inline double present_gap(const PairCoeffs &c, const PairGeometry &g, const double *history)
 {
   if constexpr (E::gap_history) return history[E::GAP_SLOT];
-  return elastic_gap(c.normal.gap, g.un / g.a);
+  return elastic_gap(c.normal.gap, g.gap);
 }
 
 template <class E> inline bool has_film(const Film &f)
@@ -59,7 +59,10 @@ template <class E>
 inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *next)
 {
   for (int m = 0; m < E::HISTORY_SIZE; m++) next[m] = 0.0;
-  if constexpr (E::gap_history) next[E::GAP_SLOT] = elastic_gap(c.normal.gap, g.un / g.a);
+  if constexpr (E::gap_history) {
+    next[E::GAP_SLOT] = elastic_gap(c.normal.gap, g.gap);
+    next[E::GAP_SLOT + 1] = std::log(next[E::GAP_SLOT]);
+  }
   if constexpr (E::surface_history) next[E::SURFACE_SLOT] = g.un;
 }
 
@@ -71,41 +74,46 @@ inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry 
   if constexpr (!E::surface_history) return;
 
   const double un_old = old[E::SURFACE_SLOT];
-  double y0, y1;    // ln(u/a) before and after
+  const double gap_old = un_old * g.per_a;
+  Gap before, after;
   if constexpr (E::gap_history) {
-    y0 = old[E::GAP_SLOT];
-    y1 = next_gap(c.normal, f, g.a, y0, un_old / g.a, g.un / g.a, dt);
-    next[E::GAP_SLOT] = y1;
-  } else {
-    y0 = elastic_gap(c.normal.gap, un_old / g.a);
-    y1 = elastic_gap(c.normal.gap, g.un / g.a);
+    before = {old[E::GAP_SLOT], old[E::GAP_SLOT + 1]};
+    after = next_gap(c.normal, f, g.a, before, gap_old, g.gap, dt);
+    next[E::GAP_SLOT] = after.u;
+    next[E::GAP_SLOT + 1] = after.ln_u;
+  } else if constexpr (E::reads_gap) {
+    before.u = elastic_gap(c.normal.gap, gap_old);
+    after.u = elastic_gap(c.normal.gap, g.gap);
+    before.ln_u = std::log(before.u);
+    after.ln_u = std::log(after.u);
   }
   next[E::SURFACE_SLOT] = g.un;
 
   if constexpr (E::turns || E::twist) {
     const PairMotion m = pair_motion(g, i, j, g.r - g.un + un_old, dt);
-    const double u1 = std::exp(y1);
     // the films of shear, roll and twist see the gap at mid-step
-    const double ln_u = 0.5 * (y0 + y1);
-    const double u = 0.5 * (std::exp(y0) + u1);
+    [[maybe_unused]] const double ln_u = 0.5 * (before.ln_u + after.ln_u);
+    [[maybe_unused]] const double u = 0.5 * (before.u + after.u);
 
     if constexpr (E::tangential) {
-      double cone = 0.0, x = HUGE_VAL;
+      double cone = 0.0, film = 0.0;
       if constexpr (E::friction)
-        cone = c.mu / c.kt * normal_force(c.normal, g.a, g.un, g.a * u1, has_film<E>(f)).contact;
-      if constexpr (E::shear) x = c.kt * dt / shear_resistance(f, g.a, u, ln_u);
-      const Vec3 q0 = tangential(turned(get_vector(old + E::SHEAR_SLOT), m.turn), g.n);
-      put_vector(next_shear(q0, m.slip, cone, x), next + E::SHEAR_SLOT);
+        cone =
+            c.mu / c.kt * normal_force(c.normal, g.a, g.un, g.a * after.u, has_film<E>(f)).contact;
+      if constexpr (E::shear) film = shear_resistance(f, g.a, u, ln_u);
+      const Vec3 q0 = turned(get_vector(old + E::SHEAR_SLOT), m.turn);
+      put_vector(tangential(next_shear(q0, m.slip, cone, film, c.kt * dt), g.n),
+                 next + E::SHEAR_SLOT);
     }
     const double kr = c.kt * g.a * g.a;
     if constexpr (E::roll) {
-      const double x = kr * dt / roll_resistance(f, g.a, u, ln_u);
-      const Vec3 q0 = tangential(turned(get_vector(old + E::ROLL_SLOT), m.turn), g.n);
-      put_vector(next_roll(q0, m.roll, x), next + E::ROLL_SLOT);
+      const double film = roll_resistance(f, g.a, u, ln_u);
+      const Vec3 q0 = turned(get_vector(old + E::ROLL_SLOT), m.turn);
+      put_vector(next_roll(q0, m.roll, film, kr * dt), next + E::ROLL_SLOT);
     }
     if constexpr (E::twist) {
-      const double x = kr * dt / twist_resistance(f, g.a, u, ln_u);
-      next[E::TWIST_SLOT] = next_twist(old[E::TWIST_SLOT], m.twist, x);
+      const double film = twist_resistance(f, g.a, u, ln_u);
+      next[E::TWIST_SLOT] = next_twist(old[E::TWIST_SLOT], m.twist, film, kr * dt);
     }
   }
 }
@@ -116,17 +124,14 @@ inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
                       const double *history)
 {
   Load load{};
-  load.u = g.a * std::exp(present_gap<E>(c, g, history));
+  load.u = g.a * present_gap<E>(c, g, history);
   const NormalForce normal = normal_force(c.normal, g.a, g.un, load.u, has_film<E>(f));
   load.contact = normal.contact;
   load.film = normal.film;
   if constexpr (E::friction) load.cone = c.mu * normal.contact;
-  // the tangent plane may have turned since the history was stored
-  if constexpr (E::tangential)
-    load.shear = -c.kt * tangential(get_vector(history + E::SHEAR_SLOT), g.n);
+  if constexpr (E::tangential) load.shear = -c.kt * get_vector(history + E::SHEAR_SLOT);
   const double kr = c.kt * g.a * g.a;
-  if constexpr (E::roll)
-    load.couple = -kr * tangential(get_vector(history + E::ROLL_SLOT), g.n);
+  if constexpr (E::roll) load.couple = -kr * get_vector(history + E::ROLL_SLOT);
   if constexpr (E::twist) load.couple = load.couple + (-kr * history[E::TWIST_SLOT]) * g.n;
   return load;
 }

@@ -10,10 +10,10 @@
 namespace lubcontact {
 
 // Elastic part of the relative rolling after a step: q0 already turned with the pair, roll the
-// relative rolling of the step, x = stiffness dt/resistance. Torque on i: -stiffness q.
-inline Vec3 next_roll(const Vec3 &q0, const Vec3 &roll, double x)
+// relative rolling of the step. Torque on i: -stiffness q.
+inline Vec3 next_roll(const Vec3 &q0, const Vec3 &roll, double resistance, double stiffness_dt)
 {
-  const Relaxation f = relaxation(x);
+  const Relaxation f = relaxation(resistance, stiffness_dt);
   return f.keep * q0 + f.gain * roll;
 }
 

@@ -2,7 +2,7 @@
 //   F = -kt q,  dq/dt = slip rate                          while the contact sticks
 //   nu_t (slip rate - dq/dt) = kt q - (mu N) q/|q|         while it slips, or N = 0 without contact
 // Model: W. Chevremont, B. Chareyre, H. Bodiguel, Powder Technol. 372, 600 (2020), eqs. 23-33, with
-// the sign of eqs. 26 and 31 corrected; here integrated exactly in time instead of by Euler.
+// the sign of eqs. 26 and 31 corrected; here integrated to second order in time instead of by Euler.
 
 #ifndef LUBCONTACT_SHEAR_H
 #define LUBCONTACT_SHEAR_H
@@ -18,11 +18,12 @@ enum class ContactState { NONE, STICK, SLIP };
 //   q0      elastic displacement, already turned with the pair
 //   slip    tangential displacement of the step
 //   cone    mu N/kt: longest elastic displacement that friction alone can hold; 0 without contact
-//   x       kt dt/nu_t, infinity without film
-inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone, double x)
+//   resistance, stiffness_dt    of the film (0: none) and kt dt
+inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone, double resistance,
+                       double stiffness_dt)
 {
   if (!(cone > 0.0)) {
-    const Relaxation f = relaxation(x);
+    const Relaxation f = relaxation(resistance, stiffness_dt);
     return f.keep * q0 + f.gain * slip;
   }
 
@@ -35,10 +36,10 @@ inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone, double x)
   double size;
   if (near < cone) {
     const double share = (far - cone) / (far - near);    // of the step spent slipping
-    size = cone + relaxation(x * share).gain * (far - cone);
+    size = cone + relaxation(resistance, stiffness_dt * share).gain * (far - cone);
   } else {
-    const Relaxation f = relaxation(x);
-    size = std::fmax(cone, cone + f.keep * (near - cone) + f.gain * (far - near));
+    const Relaxation f = relaxation(resistance, stiffness_dt);
+    size = larger(cone, cone + f.keep * (near - cone) + f.gain * (far - near));
   }
   return (size / far) * trial;
 }

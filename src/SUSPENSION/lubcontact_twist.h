@@ -9,10 +9,10 @@
 namespace lubcontact {
 
 // Elastic part of the relative twist after a step: twist the relative rotation of the step about
-// n, x = stiffness dt/resistance. Torque on i: -stiffness q n.
-inline double next_twist(double q0, double twist, double x)
+// n. Torque on i: -stiffness q n.
+inline double next_twist(double q0, double twist, double resistance, double stiffness_dt)
 {
-  const Relaxation f = relaxation(x);
+  const Relaxation f = relaxation(resistance, stiffness_dt);
   return f.keep * q0 + f.gain * twist;
 }
 

@@ -15,6 +15,12 @@ struct Vec3 {
   friend Vec3 operator*(double s, const Vec3 &a) { return {s * a.x, s * a.y, s * a.z}; }
 };
 
+// Branch-free, unlike std::fmax a single instruction; the second argument if one is not a number.
+inline double larger(double a, double b)
+{
+  return a > b ? a : b;
+}
+
 inline double dot(const Vec3 &a, const Vec3 &b)
 {
   return a.x * b.x + a.y * b.y + a.z * b.z;

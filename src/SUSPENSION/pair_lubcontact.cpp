@@ -44,7 +44,8 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     radius_rule(0), euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr), kt(nullptr),
     asperity(nullptr), roughness(nullptr), friction(nullptr), coulomb(nullptr), coeffs(nullptr),
     reach(nullptr), film(new lubcontact::Film()), max_radius(nullptr), fix_dummy(nullptr),
-    fix_history(nullptr), reported(false), partition_now(false), mask(0), size_history(0), eval(nullptr), eval_single(nullptr), exchange(nullptr)
+    fix_history(nullptr), reported(false), partition_now(false), mask(0), size_history(0),
+    eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
 
@@ -60,9 +61,8 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
   svector = new double[single_extra];
 
   // keeps the place of the history among the fixes until its size is known
-  fix_dummy = dynamic_cast<FixDummy *>(
-      modify->add_fix("NEIGH_HISTORY_LUBCONTACT_DUMMY" + std::to_string(instance_me) +
-                      " all DUMMY"));
+  fix_dummy = dynamic_cast<FixDummy *>(modify->add_fix("NEIGH_HISTORY_LUBCONTACT_DUMMY" +
+                                                       std::to_string(instance_me) + " all DUMMY"));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -121,8 +121,8 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
 {
   using E = lubcontact::Effects<MASK>;
   constexpr int SIZE = E::HISTORY_SIZE;
-  const bool advance = !update->setupflag;    // a set-up sees the history of the last step
-  const bool guard = update->whichflag != 2;      // a minimization may separate anything
+  const bool advance = !update->setupflag;      // a set-up sees the history of the last step
+  const bool guard = update->whichflag != 2;    // a minimization may separate anything
   const double dt = update->dt;
   const double *radius = atom->radius;
   const int *type = atom->type;
@@ -130,8 +130,8 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
 
   auto body = [this, x, radius](int i) {
     const double *v = atom->v[i], *omega = atom->omega[i];
-    return Body{{x[i][0], x[i][1], x[i][2]}, {v[0], v[1], v[2]},
-                {omega[0], omega[1], omega[2]}, radius[i]};
+    return Body{
+        {x[i][0], x[i][1], x[i][2]}, {v[0], v[1], v[2]}, {omega[0], omega[1], omega[2]}, radius[i]};
   };
 
   for (int ii = 0; ii < list->inum; ii++) {
@@ -222,8 +222,7 @@ void PairLubcontact::apply(int i, int j, const PairCoeffs &c, const PairGeometry
    sum of r_a F_b by origin
 ------------------------------------------------------------------------- */
 
-void PairLubcontact::tally_partition(double weight, const PairGeometry &geometry,
-                                     const Load &load)
+void PairLubcontact::tally_partition(double weight, const PairGeometry &geometry, const Load &load)
 {
   using namespace lubcontact;
   const ShearSplit parts = split(load);
@@ -236,9 +235,8 @@ void PairLubcontact::tally_partition(double weight, const PairGeometry &geometry
   const Vec3 d = (weight * geometry.r) * geometry.n;
   for (int m = 0; m < NUM_CHANNELS; m++) {
     const Vec3 &f = force_of[m];
-    const double product[NUM_COMPONENTS] = {d.x * f.x, d.y * f.y, d.z * f.z,
-                                            d.x * f.y, d.x * f.z, d.y * f.z,
-                                            d.y * f.x, d.z * f.x, d.z * f.y};
+    const double product[NUM_COMPONENTS] = {d.x * f.x, d.y * f.y, d.z * f.z, d.x * f.y, d.x * f.z,
+                                            d.y * f.z, d.y * f.x, d.z * f.x, d.z * f.y};
     for (int n = 0; n < NUM_COMPONENTS; n++) partition[m][n] += product[n];
   }
 }
@@ -247,12 +245,12 @@ void PairLubcontact::tally_partition(double weight, const PairGeometry &geometry
    table of all combinations of effects; the style keeps the one it needs
 ------------------------------------------------------------------------- */
 
-template <std::size_t... MASK>
-void PairLubcontact::choose_effects(std::index_sequence<MASK...>)
+template <std::size_t... MASK> void PairLubcontact::choose_effects(std::index_sequence<MASK...>)
 {
   static constexpr Eval evals[] = {&PairLubcontact::eval_effects<MASK>...};
   static constexpr Single singles[] = {&PairLubcontact::single_effects<MASK>...};
-  static constexpr Exchange exchanges[] = {&lubcontact::exchange_history<lubcontact::Effects<MASK>>...};
+  static constexpr Exchange exchanges[] = {
+      &lubcontact::exchange_history<lubcontact::Effects<MASK>>...};
   static constexpr int sizes[] = {lubcontact::Effects<MASK>::HISTORY_SIZE...};
   eval = evals[mask];
   eval_single = singles[mask];
@@ -278,8 +276,8 @@ void PairLubcontact::init_style()
                "Pair style lubcontact can be minimized only as frictionless elastic contact; use: "
                "squeeze no shear no roll no twist no, and friction none");
 
-  neighbor->add_request(
-      this, NeighConst::REQ_DEFAULT | (size_history ? NeighConst::REQ_HISTORY : 0));
+  neighbor->add_request(this,
+                        NeighConst::REQ_DEFAULT | (size_history ? NeighConst::REQ_HISTORY : 0));
   require_history();
   find_max_radius();
   clients = modify->get_compute_by_style("^stress/partition");
@@ -375,8 +373,8 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
   const double *xi = atom->x[i], *xj = atom->x[j];
   const double ri = atom->radius[i], rj = atom->radius[j];
   const double a = effective_radius(ri, rj);
-  const PairGeometry geometry = lubcontact::pair_geometry({xi[0], xi[1], xi[2]},
-                                                          {xj[0], xj[1], xj[2]}, ri, rj, a);
+  const PairGeometry geometry =
+      lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
   fforce = 0.0;
   for (int m = 0; m < SINGLE_EXTRA; m++) svector[m] = 0.0;
   svector[0] = svector[1] = geometry.un;
@@ -386,10 +384,20 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
   const Load load = (this->*eval_single)(i, j, geometry, energy);
   const lubcontact::ShearSplit parts = lubcontact::split(load);
   const double shear = lubcontact::norm(load.shear);
-  const double values[SINGLE_EXTRA] = {
-      load.u, geometry.un, geometry.un - load.u, load.contact, load.film, load.shear.x,
-      load.shear.y, load.shear.z, parts.contact * shear, (1.0 - parts.contact) * shear,
-      load.couple.x, load.couple.y, load.couple.z, static_cast<double>(parts.state)};
+  const double values[SINGLE_EXTRA] = {load.u,
+                                       geometry.un,
+                                       geometry.un - load.u,
+                                       load.contact,
+                                       load.film,
+                                       load.shear.x,
+                                       load.shear.y,
+                                       load.shear.z,
+                                       parts.contact * shear,
+                                       (1.0 - parts.contact) * shear,
+                                       load.couple.x,
+                                       load.couple.y,
+                                       load.couple.z,
+                                       static_cast<double>(parts.state)};
   memcpy(svector, values, sizeof(values));
   fforce = (load.contact + load.film) / geometry.r;
   return energy;

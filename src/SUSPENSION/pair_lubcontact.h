@@ -56,36 +56,36 @@ class PairLubcontact : public Pair {
   double memory_usage() override;
 
   // stress by origin, in the steps that a compute stress/partition asked for
-  static constexpr int NUM_PARTS = 4;          // contact and lubrication, normal and tangential
-  static constexpr int NUM_COMPONENTS = 9;     // xx yy zz xy xz yz yx zx zy of sum r_a F_b
+  static constexpr int NUM_PARTS = 4;             // contact and lubrication, normal and tangential
+  static constexpr int NUM_COMPONENTS = 9;        // xx yy zz xy xz yz yx zx zy of sum r_a F_b
   double partition[NUM_PARTS][NUM_COMPONENTS];    // this rank's share
   bigint partition_step;                          // step it belongs to
 
  protected:
   // settings
-  double eta;           // viscosity
-  char *eta_name;       // equal-style variable that sets it, or null
+  double eta;        // viscosity
+  char *eta_name;    // equal-style variable that sets it, or null
   int eta_var;
-  double hc;            // range over the effective radius
-  int range_rule;       // lubcontact::Range
-  int radius_rule;      // lubcontact::Radius
-  int euler;            // gap integrator
+  double hc;          // range over the effective radius
+  int range_rule;     // lubcontact::Range
+  int radius_rule;    // lubcontact::Radius
+  int euler;          // gap integrator
   enum { SQUEEZE, SHEAR, ROLL, TWIST, NUM_MODES };
   int mode[NUM_MODES];    // films on or off
   double roll_coeff;
 
   // coefficients per pair of types, as given or mixed
   double **g, **kt, **asperity, **roughness, **friction;
-  int **coulomb;                         // friction law: none (0) or coulomb (1)
-  lubcontact::PairCoeffs **coeffs;       // what the loop needs
-  double **reach;                        // largest gap that acts, over the effective radius
+  int **coulomb;                      // friction law: none (0) or coulomb (1)
+  lubcontact::PairCoeffs **coeffs;    // what the loop needs
+  double **reach;                     // largest gap that acts, over the effective radius
   lubcontact::Film *film;
 
-  double *max_radius;    // per type
+  double *max_radius;               // per type
   std::vector<double> stiffness;    // sum over the partners, at set-up
   class FixDummy *fix_dummy;
   class FixNeighHistory *fix_history;
-  bool reported;         // the table of this run has been printed
+  bool reported;    // the table of this run has been printed
   bool partition_now;
   std::vector<class Compute *> clients;    // every compute stress/partition
 

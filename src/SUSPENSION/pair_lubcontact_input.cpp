@@ -118,7 +118,8 @@ void PairLubcontact::settings(int narg, char **arg)
   }
 
   if (!mode[ROLL] && roll_coeff != 0.6)
-    error->all(FLERR, "Pair style lubcontact rollcoeff cannot act with roll no: remove one of them");
+    error->all(FLERR,
+               "Pair style lubcontact rollcoeff cannot act with roll no: remove one of them");
   if (!mode[SQUEEZE] && euler)
     error->all(FLERR,
                "Pair style lubcontact gap euler cannot act with squeeze no: remove one of them");
@@ -248,7 +249,9 @@ unsigned PairLubcontact::choose_mask() const
 double PairLubcontact::init_one(int i, int j)
 {
   if (setflag[i][j] == 0) {
-    auto series = [i, j](double **k) { return 2.0 * k[i][i] * k[j][j] / (k[i][i] + k[j][j]); };
+    auto series = [i, j](double **k) {
+      return 2.0 * k[i][i] * k[j][j] / (k[i][i] + k[j][j]);
+    };
     g[i][j] = series(g);
     kt[i][j] = series(kt);
     asperity[i][j] = series(asperity);
@@ -309,7 +312,8 @@ void PairLubcontact::write_restart_settings(FILE *fp)
   fwrite(&length, sizeof(int), 1, fp);
   if (length) fwrite(eta_name, 1, length, fp);
   const double numbers[3] = {eta, hc, roll_coeff};
-  const int choices[7] = {range_rule, radius_rule, euler, mode[SQUEEZE], mode[SHEAR], mode[ROLL], mode[TWIST]};
+  const int choices[7] = {range_rule,  radius_rule, euler,      mode[SQUEEZE],
+                          mode[SHEAR], mode[ROLL],  mode[TWIST]};
   fwrite(numbers, sizeof(double), 3, fp);
   fwrite(choices, sizeof(int), 7, fp);
 }
@@ -354,8 +358,7 @@ void PairLubcontact::write_restart(FILE *fp)
       const int flags[2] = {setflag[i][j], coulomb[i][j]};
       fwrite(flags, sizeof(int), 2, fp);
       if (!setflag[i][j]) continue;
-      const double values[5] = {g[i][j], kt[i][j], asperity[i][j], roughness[i][j],
-                                friction[i][j]};
+      const double values[5] = {g[i][j], kt[i][j], asperity[i][j], roughness[i][j], friction[i][j]};
       fwrite(values, sizeof(double), 5, fp);
     }
 }

@@ -81,11 +81,12 @@ void PairLubcontact::check_box() const
                             1.0 / sqrt(hi[1] * hi[1] + hi[3] * hi[3]), 1.0 / hi[2]};
   for (int d = 0; d < domain->dimension; d++)
     if (domain->periodicity[d] && height[d] < 2.0 * cutforce)
-      error->all(FLERR,
-                 "Periodic box height {:.6g} along {} is below twice the range {:.6g} of pair style "
-                 "lubcontact, so that a pair could meet through two images: enlarge the box, "
-                 "replicate it, or shorten the range",
-                 height[d], "xyz"[d], cutforce);
+      error->all(
+          FLERR,
+          "Periodic box height {:.6g} along {} is below twice the range {:.6g} of pair style "
+          "lubcontact, so that a pair could meet through two images: enlarge the box, "
+          "replicate it, or shorten the range",
+          height[d], "xyz"[d], cutforce);
 }
 
 /* ----------------------------------------------------------------------
@@ -106,8 +107,8 @@ double PairLubcontact::sum_stiffness()
       const int itype = atom->type[i], jtype = atom->type[j];
       const double *xj = atom->x[j];
       const double ri = atom->radius[i], rj = atom->radius[j], a = effective_radius(ri, rj);
-      const auto geometry = lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]},
-                                                      ri, rj, a);
+      const auto geometry =
+          lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
       if (geometry.un >= reach[itype][jtype] * a) continue;
       const double spin = 2.5 * kt[itype][jtype] * (mode[ROLL] || mode[TWIST] ? 2.0 : 1.0);
       const double k = MAX(g[itype][jtype], spin);
@@ -158,7 +159,8 @@ void PairLubcontact::setup()
   if (update->dt > limit && comm->me == 0)
     error->warning(FLERR,
                    "Time step {} exceeds {:.4g}, the stability limit of the contact springs in the "
-                   "present state: reduce it, or soften the contact", update->dt, limit);
+                   "present state: reduce it, or soften the contact",
+                   update->dt, limit);
   if (!reported) report(pairs, limit);
   reported = true;
 }
@@ -180,7 +182,9 @@ void PairLubcontact::report(double pairs, double limit)
   MPI_Allreduce(mine, most, 3, MPI_DOUBLE, MPI_MAX, world);
   if (comm->me) return;
 
-  auto yes = [](bool on) { return on ? "yes" : "no"; };
+  auto yes = [](bool on) {
+    return on ? "yes" : "no";
+  };
   std::string text = "Pair style lubcontact: what this run simulates\n";
   text += fmt::format("  squeeze film   {}{}\n", yes(mode[SQUEEZE]),
                       mode[SQUEEZE] ? (euler ? ", gap euler" : ", gap exponential") : "");
