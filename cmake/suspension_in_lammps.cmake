@@ -1,0 +1,28 @@
+# Compiles the styles of src/SUSPENSION into LAMMPS, without touching the LAMMPS tree:
+#   cmake -D CMAKE_PROJECT_lammps_INCLUDE=<this file> [options of LAMMPS] <lammps>/cmake
+#
+# The other way, as a package of the tree: copy src/SUSPENSION to <lammps>/src/SUSPENSION, add its name to the list
+# STANDARD_PACKAGES, and configure LAMMPS with -D PKG_SUSPENSION=on (ignored silently without the name in the list):
+#   sed -i 's/^  TALLY$/  SUSPENSION\n  TALLY/' <lammps>/cmake/CMakeLists.txt
+
+get_filename_component(SUSPENSION_DIR ${CMAKE_CURRENT_LIST_DIR}/../src/SUSPENSION ABSOLUTE)
+
+# Right after project(lammps): our headers enter the lists from which LAMMPS generates style_pair.h and its like.
+include(${CMAKE_CURRENT_SOURCE_DIR}/Modules/StyleHeaderUtils.cmake)
+RegisterStyles(${SUSPENSION_DIR})
+
+# At the end of LAMMPS' CMakeLists.txt: our sources enter its target. The include folder is given only to the files
+# which need it: a flag of the whole target would compile all of LAMMPS again.
+function(suspension_add_sources)
+  file(GLOB ours CONFIGURE_DEPENDS ${SUSPENSION_DIR}/[^.]*.cpp)
+  target_sources(lammps PRIVATE ${ours})
+  file(GLOB sources ${LAMMPS_SOURCE_DIR}/[^.]*.cpp)
+  foreach(source ${sources})
+    file(STRINGS ${source} includes_styles LIMIT_COUNT 1 REGEX "^#include \"style_")
+    if(includes_styles)
+      list(APPEND ours ${source})
+    endif()
+  endforeach()
+  set_property(SOURCE ${ours} APPEND PROPERTY INCLUDE_DIRECTORIES ${SUSPENSION_DIR})
+endfunction()
+cmake_language(DEFER CALL suspension_add_sources)

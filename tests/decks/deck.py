@@ -1,0 +1,94 @@
+"""Runs decks of LAMMPS for the tests and judges numbers.
+
+A case is a folder with decks in.* and a check.py, which ctest runs in a scratch folder. The
+environment says what to run: LAMMPS_EXECUTABLE, MPIRUN (a wrapper: MPIRUN ranks command), RANKS,
+LAMMPS_PLUGIN_PATH.
+"""
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+CASE = Path(sys.argv[0]).resolve().parent
+ROOT = Path(__file__).resolve().parents[2]
+RANKS = int(os.environ.get("RANKS", "1"))
+_failures = []
+
+
+class Run:
+    """What a deck printed: text, thermo tables, and lines 'RESULT name value'."""
+
+    def __init__(self, text, code):
+        self.text = text
+        self.code = code
+        pairs = re.findall(r"^RESULT (\S+) (\S+)$", text, re.MULTILINE)
+        self.values = {name: float(value) for name, value in pairs}
+
+    def tables(self):
+        """Thermo tables in order, each a dict of column name -> array."""
+        tables, rows, names = [], [], None
+        for line in self.text.splitlines():
+            words = line.split()
+            if words and words[0] == "Step":
+                names, rows = words, []
+            elif names and line.startswith("Loop time"):
+                tables.append(dict(zip(names, np.array(rows, dtype=float).T)))
+                names = None
+            elif names and len(words) == len(names):
+                rows.append(words)
+        return tables
+
+    def thermo(self):
+        return self.tables()[-1]
+
+
+def run(deck, ranks=None, fails=False, **variables):
+    """Runs CASE/deck with index variables; stops the test if it fails, or if fails=True and it does not."""
+    ranks = RANKS if ranks is None else ranks
+    command = [os.environ["MPIRUN"], str(ranks), os.environ["LAMMPS_EXECUTABLE"], "-in",
+               str(CASE / deck), "-log", "none", "-nocite", "-var", "root", str(ROOT)]
+    for name, value in variables.items():
+        command += ["-var", name] + ([str(v) for v in value] if isinstance(value, (list, tuple)) else [str(value)])
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          check=False)
+    if (done.returncode != 0) != fails:
+        print(done.stdout[-4000:])
+        print("FAILED: " + " ".join(command[3:]) + f" ended with code {done.returncode}")
+        sys.exit(1)
+    return Run(done.stdout, done.returncode)
+
+
+def read_dump(name):
+    """Columns of the last frame of a text dump, sorted by the column id, as a dict of arrays."""
+    lines = Path(name).read_text().splitlines()
+    start = max(n for n, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
+    names = lines[start].split()[2:]
+    rows = np.array([line.split() for line in lines[start + 1:]], dtype=float)
+    rows = rows[np.argsort(rows[:, names.index("id")])]
+    return dict(zip(names, rows.T))
+
+
+def expect(what, condition, shown=""):
+    print(f"{what}: {shown} {'ok' if condition else 'WRONG'}")
+    if not condition:
+        _failures.append(what)
+
+
+def expect_close(what, got, expected, rtol=0.0, atol=0.0):
+    """|got - expected| <= rtol |expected| + atol, everywhere; prints the largest error."""
+    got, expected = np.asarray(got, dtype=float), np.asarray(expected, dtype=float)
+    error = np.abs(got - expected)
+    limit = rtol * np.abs(expected) + atol
+    worst = np.unravel_index(np.argmax(error - limit), error.shape)
+    good = bool(np.all(error <= limit))
+    shown = f"expected {expected[worst]:.10g} got {got[worst]:.10g} error {error[worst]:.2e} limit {limit[worst]:.2e}"
+    expect(what, good, shown)
+
+
+def finish():
+    if _failures:
+        print(f"{len(_failures)} wrong: " + ", ".join(_failures))
+    sys.exit(1 if _failures else 0)

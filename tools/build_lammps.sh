@@ -1,0 +1,33 @@
+#!/bin/bash
+# Build LAMMPS with what SUSPENSION needs, and no more. Its sources are fetched if they are not there yet.
+# usage: tools/build_lammps.sh BUILD-FOLDER [more CMake arguments]
+set -euo pipefail
+# shellcheck source=tools/common.sh
+source "$(dirname "$0")/common.sh"
+folder=${1:?usage: build_lammps.sh BUILD-FOLDER [more CMake arguments]}
+shift
+
+lock "$cache/lammps-$version/lock"
+if [ ! -e "$lammps_source" ]; then "$top/tools/fetch_lammps.sh" "$version" "$lammps_source"; fi
+
+args=(-D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O3 -DNDEBUG" -D CMAKE_CXX_FLAGS=-fpch-preprocess
+  -D BUILD_MPI=on -D BUILD_OMP=off -D PKG_GRANULAR=on -D PKG_PLUGIN=on -D PKG_COLLOID=on
+  -D WITH_JPEG=off -D WITH_PNG=off -D WITH_GZIP=off -D WITH_FFMPEG=off "$@")
+if command -v ccache >/dev/null; then
+  # the same objects serve any build folder in the cache, whatever its absolute path
+  export CCACHE_DIR=$cache/ccache CCACHE_BASEDIR=$cache CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+  args+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+
+# Up to date if it was finished with the same compiler, arguments and precompiled headers.
+pch=$top/cmake/lammps_pch.cmake
+key=$( (c++ --version; echo "$lammps_source ${args[*]}"; cat "$pch") | sha256sum)
+if [ -x "$folder/lmp" ] && [ "$(cat "$folder/finished" 2>/dev/null)" = "$key" ]; then exit 0; fi
+
+say "building LAMMPS $version in $folder (minutes the first time)"
+mkdir -p "$folder"
+rm -f "$folder/finished" "$folder/CMakeCache.txt"    # no option of an earlier configuration survives
+quietly "$folder/configure.log" cmake -S "$lammps_source/cmake" -B "$folder" -G Ninja \
+  -D CMAKE_PROJECT_lammps_INCLUDE_BEFORE="$pch" "${args[@]}"
+run_ninja "$folder"
+echo "$key" >"$folder/finished"

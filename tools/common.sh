@@ -1,0 +1,58 @@
+# shellcheck shell=bash disable=SC2034 # its variables are used by the others
+# Sourced by the other tools: where things are. From the environment:
+#   SUSPENSION_LAMMPS   LAMMPS release: 4Feb2025 (default) or 4Jul2026
+#   SUSPENSION_CACHE    where LAMMPS is unpacked and built, default ~/.cache/suspension
+#   LAMMPS_SOURCE_DIR, LAMMPS_EXECUTABLE   both: a LAMMPS of your own; then nothing is fetched and LAMMPS is not built
+
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+user_cache=~/.cache
+cache=${SUSPENSION_CACHE:-${XDG_CACHE_HOME:-$user_cache}/suspension}
+
+say() { echo "suspension: $*" >&2; }
+die() { say "$*"; exit 1; }
+
+if [ -n "${LAMMPS_SOURCE_DIR:-}" ] && [ -n "${LAMMPS_EXECUTABLE:-}" ]; then
+  version=own
+  lammps_source=$(realpath "$LAMMPS_SOURCE_DIR")
+  lammps_executable=$(realpath "$LAMMPS_EXECUTABLE")
+elif [ -n "${LAMMPS_SOURCE_DIR:-}${LAMMPS_EXECUTABLE:-}" ]; then
+  die "for a LAMMPS of your own set both LAMMPS_SOURCE_DIR and LAMMPS_EXECUTABLE; for ours set none of them"
+else
+  version=${SUSPENSION_LAMMPS:-4Feb2025}
+  lammps_source=$cache/lammps-$version/source
+  lammps_executable=$cache/lammps-$version/build/lmp
+fi
+
+build=$top/build-$version
+if [ "$version" = 4Feb2025 ]; then build=$top/build; fi
+
+# Only one at a time: held until the script ends.
+lock() {
+  mkdir -p "$(dirname "$1")"
+  exec 9>"$1"
+  flock -n 9 || { say "waiting for another set-up to finish"; flock 9; }
+}
+
+# Silent unless it fails.
+quietly() {
+  local log=$1
+  shift
+  "$@" >"$log" 2>&1 || { tail -n 40 "$log" >&2; die "failed: $* (all of it: $log)"; }
+}
+
+# Progress on a terminal; elsewhere only what fails.
+run_ninja() {
+  if [ -t 1 ]; then ninja -C "$1" -j "$(nproc)"; else ninja -C "$1" -j "$(nproc)" --quiet; fi
+}
+
+# The first Python that has what decks and figures need.
+find_python() {
+  local python
+  for python in "$(command -v python3 || true)" /usr/bin/python3; do
+    if [ -x "$python" ] && "$python" -c 'import numpy, scipy, matplotlib' 2>/dev/null; then
+      echo "$python"
+      return
+    fi
+  done
+  die "no python3 with numpy, scipy and matplotlib found"
+}

@@ -1,0 +1,16 @@
+#!/bin/bash
+# Build LAMMPS with our styles compiled in (no plugin) and check that it knows them.
+# usage: tools/compiled_in.sh
+set -euo pipefail
+# shellcheck source=tools/common.sh
+source "$(dirname "$0")/common.sh"
+
+folder=$cache/lammps-$version/build-compiled-in
+rm -f "$folder/finished"    # our sources change: always look again
+"$top/tools/build_lammps.sh" "$folder" -D CMAKE_PROJECT_lammps_INCLUDE="$top/cmake/suspension_in_lammps.cmake"
+
+help=$(LAMMPS_PLUGIN_PATH='' "$folder/lmp" -h)
+grep -hE '^(Pair|Fix|Compute)Style\(' "$top"/src/SUSPENSION/*.h | sed 's/.*(\(.*\),.*/\1/' | while read -r style; do
+  grep -qwF "$style" <<<"$help" || die "$folder/lmp does not know $style"
+  echo "compiled in: $style"
+done
