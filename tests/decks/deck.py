@@ -48,17 +48,24 @@ class Run:
 def run(deck, ranks=None, fails=False, **variables):
     """Runs CASE/deck with index variables; stops the test if it fails, or if fails=True and it does not."""
     ranks = RANKS if ranks is None else ranks
-    command = [os.environ["MPIRUN"], str(ranks), os.environ["LAMMPS_EXECUTABLE"], "-in",
+    environment = dict(os.environ)
+    lmp = environment.pop("LAMMPS_EXECUTABLE")    # for the set-up tools it would mean a LAMMPS of the user
+    command = [os.environ["MPIRUN"], str(ranks), lmp, "-in",
                str(CASE / deck), "-log", "none", "-nocite", "-var", "root", str(ROOT)]
     for name, value in variables.items():
         command += ["-var", name] + ([str(v) for v in value] if isinstance(value, (list, tuple)) else [str(value)])
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          check=False)
+                          check=False, env=environment)
     if (done.returncode != 0) != fails:
         print(done.stdout[-4000:])
         print("FAILED: " + " ".join(command[3:]) + f" ended with code {done.returncode}")
         sys.exit(1)
     return Run(done.stdout, done.returncode)
+
+
+def make_state(**variables):
+    """state.data for the decks that include sheared.lmp: 200 spheres at 0.5, or discs with dim=2, phi=0.75."""
+    run("../state.lmp", ranks=1, **variables)
 
 
 def read_dump(name):
@@ -79,7 +86,7 @@ def expect(what, condition, shown=""):
 
 def expect_close(what, got, expected, rtol=0.0, atol=0.0):
     """|got - expected| <= rtol |expected| + atol, everywhere; prints the largest error."""
-    got, expected = np.asarray(got, dtype=float), np.asarray(expected, dtype=float)
+    got, expected = np.broadcast_arrays(np.asarray(got, dtype=float), np.asarray(expected, dtype=float))
     error = np.abs(got - expected)
     limit = rtol * np.abs(expected) + atol
     worst = np.unravel_index(np.argmax(error - limit), error.shape)

@@ -1,0 +1,117 @@
+"""What moves the viscosity: one knob at a time around a base case, with error bars.
+
+usage: tools/python.sh study.py [--strain 8] [--particles 500] [--jobs 2]
+Runs in.shear_rate for each case (about 40 runs; half an hour on two cores), appends to study.csv, skips the cases it
+already holds, and draws study.png.
+"""
+import argparse
+import csv
+import subprocess
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+from plot import law_boyer, law_chevremont, mean_and_error
+
+HERE = Path(__file__).resolve().parent
+TOOLS = HERE.parents[1] / "tools"
+FIELDS = ["knob", "value", "eta_r", "error", "contact_n", "contact_t", "film_n", "film_t", "N1", "N2", "sigma_yy"]
+
+# knob -> list of (value shown, index variables of the deck)
+CASES = {
+    "base": [("", {})],
+    "seed": [(s, {"seed": s}) for s in ("11", "23", "37")],
+    "range": [(r, {"range": r}) for r in ("cut 0.1", "cut 0.25", "cut 1", "cut 1.5", "cut 2", "shifted 0.25",
+                                          "shifted 0.5", "shifted 1", "shifted 2", "shifted 3")],
+    "roll coefficient": [("no torque", {"modes": "roll no"})] +
+                        [(c, {"modes": f"rollcoeff {c}"}) for c in ("0.15", "1.5")],
+    "modes off": [(m, {"modes": f"{m} no"}) for m in ("shear", "twist", "squeeze")],
+    "particles": [(n, {"N": n}) for n in ("200", "2000")],
+    "stiffness": [(g, {"stiffness": g}) for g in ("1e3", "1e4", "1e6")],
+    "Stokes number": [(s, {"stokes": s}) for s in ("1e-1", "1e-3")],
+    "roughness": [(e, {"roughness": e}) for e in ("1e-3", "3e-3", "2e-2", "5e-2")],
+    "friction": [(m, {"friction": m}) for m in ("0", "0.2", "1")],
+    "size spread": [(s, {"spread": s}) for s in ("0", "0.1", "0.2")],
+    "time step": [("half", {"fraction": "0.075"})],
+    "gap integrator": [("euler", {"modes": "gap euler"})],
+    "effective radius": [("mean", {"modes": "radius mean"})],
+    "volume fraction": [(p, {"phi": p}) for p in ("0.3", "0.4", "0.45", "0.54")],
+}
+
+
+def simulate(variables):
+    """Columns of stress.txt of one run on one rank."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [str(TOOLS / "lmp.sh"), "-in", str(HERE / "in.shear_rate"), "-log", "none", "-screen", "none"]
+        for name, value in variables.items():
+            command += ["-var", name, value]
+        command += ["-var", "packing", str(HERE.parent / "packing" / "packing.lmp"), "-var", "image", "no"]
+        subprocess.run(command, cwd=folder, check=True)
+        return np.loadtxt(Path(folder) / "stress.txt")[:, 1:]
+
+
+def measure(knob, value, variables):
+    data = simulate(variables)
+    steady = data[data[:, 0] >= 0.25 * data[-1, 0]]
+    eta_r, error = mean_and_error(steady[:, 1])
+    means = steady.mean(axis=0)
+    row = [knob, value, eta_r, error, *means[2:6], means[7] - means[8], means[8] - means[9], means[8]]
+    return dict(zip(FIELDS, [knob, value] + [f"{x:.3f}" for x in row[2:]]))
+
+
+def draw(rows):
+    knobs = [k for k in CASES if k not in ("base", "volume fraction")]
+    base = next(r for r in rows if r["knob"] == "base")
+    labels, means, errors, colors = ["base case"], [float(base["eta_r"])], [float(base["error"])], ["k"]
+    palette = plt.get_cmap("tab10")
+    for n, knob in enumerate(knobs):
+        for row in rows:
+            if row["knob"] == knob:
+                labels.append(f"{knob}: {row['value']}")
+                means.append(float(row["eta_r"]))
+                errors.append(float(row["error"]))
+                colors.append(palette(n % 10))
+    fig, ax = plt.subplots(figsize=(7, 0.2 * len(labels) + 1))
+    y = -np.arange(len(labels))
+    ax.barh(y, means, xerr=errors, color=colors, height=0.7, error_kw={"lw": 1})
+    ax.axvline(means[0], color="k", lw=0.8, ls="--")
+    ax.axvline(law_chevremont(0.5), color="0.4", lw=0.8, ls=":")
+    ax.text(law_chevremont(0.5), 1.2, "laws of 2011 and 2019", fontsize=7, ha="left", color="0.3")
+    ax.set(yticks=y, xlabel=r"$\eta_r$ at $\phi$ = 0.5", ylim=(y[-1] - 0.7, 2))
+    ax.set_yticklabels(labels, fontsize=7)
+    fig.tight_layout()
+    fig.savefig(HERE / "study.png", dpi=150)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--strain", default="8")
+    parser.add_argument("--particles", default="500")
+    parser.add_argument("--jobs", type=int, default=2)
+    args = parser.parse_args()
+    table = HERE / "study.csv"
+    rows = list(csv.DictReader(table.open())) if table.exists() else []
+    done = {(r["knob"], r["value"]) for r in rows}
+    todo = [(k, v, {"N": args.particles, "strain": args.strain, **variables})
+            for k, cases in CASES.items() for v, variables in cases if (k, v) not in done]
+    with ThreadPoolExecutor(args.jobs) as pool:
+        for row in pool.map(lambda case: measure(*case), todo):
+            rows.append(row)
+            print(" ".join(f"{row[f]:>10s}" for f in FIELDS), flush=True)
+            with table.open("w", newline="") as file:
+                writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
+                writer.writeheader()
+                writer.writerows(rows)
+    draw(rows)
+    for phi in (0.3, 0.4, 0.45, 0.5, 0.54):
+        print(f"phi {phi}: Chevremont 2019 {law_chevremont(phi):.1f}, Boyer 2011 {law_boyer(phi):.1f}")
+
+
+if __name__ == "__main__":
+    main()

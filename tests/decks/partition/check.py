@@ -1,0 +1,20 @@
+# ranks: 1 2 4
+"""Contact, lubrication and inertial stress add up to LAMMPS' pressure tensor to rounding, in 3d and 2d."""
+import numpy as np
+
+import deck
+
+for case in ({"dim": 3}, {"dim": 3, "newton": "off"}, {"dim": 2}):
+    deck.make_state(dim=case["dim"], phi=0.5 if case["dim"] == 3 else 0.75)
+    t = deck.run("in.partition", **case).thermo()
+    scale = np.max(np.abs(t["v_xy"]))
+    for n, name in enumerate(("xx", "yy", "zz", "xy", "xz", "yz"), start=1):
+        if case["dim"] == 2 and "z" in name:
+            continue
+        deck.expect_close(f"{case} {name}", t[f"v_{name}"], -t[f"c_p[{n}]"], atol=1e-13 * scale * 10)
+    for n, name in enumerate(("contact normal", "contact tangential", "lubrication normal", "lubrication tangential"), 1):
+        deck.expect(f"{name} takes part", np.max(np.abs(t[f"c_s[{n}][4]"])) > 0.01 * scale)
+    # central forces have a symmetric stress
+    deck.expect_close("contact normal xy = yx", t["c_s[1][7]"], t["c_s[1][4]"], atol=1e-12 * scale)
+    deck.expect_close("lubrication normal xy = yx", t["c_s[3][7]"], t["c_s[3][4]"], atol=1e-12 * scale)
+deck.finish()

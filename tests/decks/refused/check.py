@@ -1,0 +1,75 @@
+"""Every refused argument: the message says what, the value found and the cure, and underlines the word."""
+import deck
+
+STYLE, COEFF = "lubcontact 1.0 cut 0.5", "* * 1e4 5e3"
+CASES = [    # what is wrong, message, underlined word or None
+    ({"style": "lubcontact"}, "missing argument", None),
+    ({"style": "lubcontact 1.0 cut"}, "missing argument", None),
+    ({"style": "lubcontact -1.0 cut 0.5"}, "viscosity must be >= 0, but is -1", "-1.0"),
+    ({"style": "lubcontact one cut 0.5"}, "instead of 'one'", None),
+    ({"style": "lubcontact v_none cut 0.5"}, "Variable none for the viscosity of pair style lubcontact does not exist", None),
+    ({"style": "lubcontact v_style cut 0.5"}, "is not equal-style", None),
+    ({"style": "lubcontact 1.0 near 0.5"}, "range must be cut or shifted, but is near", "near"),
+    ({"style": "lubcontact 1.0 cut 0"}, "range must be > 0 effective radii, but is 0", "0"),
+    ({"style": STYLE + " gap newton"}, "gap must be exponential or euler, but is newton", "newton"),
+    ({"style": STYLE + " radius big"}, "radius must be mean or harmonic, but is big", "big"),
+    ({"style": STYLE + " rollcoeff -1"}, "rollcoeff must be >= 0, but is -1", "-1"),
+    ({"style": STYLE + " squeeze perhaps"}, "perhaps", None),
+    ({"style": STYLE + " shear"}, "missing argument", None),
+    ({"style": STYLE + " viscosity 2"}, "Unknown pair_style lubcontact keyword: viscosity", "viscosity"),
+    ({"style": STYLE + " roll no rollcoeff 1.5"}, "rollcoeff cannot act with roll no", None),
+    ({"style": STYLE + " squeeze no gap euler"}, "gap euler cannot act with squeeze no", None),
+    ({"coeff": "* * 1e4"}, "missing argument", None),
+    ({"coeff": "* * 0 5e3"}, "stiffness g must be > 0, but is 0", "0"),
+    ({"coeff": "* * 1e4 -1"}, "stiffness kt must be > 0, but is -1", "-1"),
+    ({"coeff": COEFF + " roughness -1e-3"}, "roughness must be >= 0, but is -1e-3", "-1e-3"),
+    ({"coeff": COEFF + " roughness 0.7"}, "roughness must be below the range 0.5, but is 0.7", "0.7"),
+    ({"coeff": COEFF + " asperity 0"}, "asperity stiffness must be > 0, but is 0", "0"),
+    ({"coeff": COEFF + " friction"}, "missing argument", None),
+    ({"coeff": COEFF + " friction coulomb"}, "missing argument", None),
+    ({"coeff": COEFF + " friction coulomb -0.5"}, "coefficient of friction must be >= 0, but is -0.5", "-0.5"),
+    ({"coeff": COEFF + " friction rubber"}, "friction must be none or coulomb, but is rubber", "rubber"),
+    ({"coeff": COEFF + " rougness 0.1"}, "Unknown pair_coeff lubcontact keyword: rougness", "rougness"),
+    ({"coeff": "1 1 1e4 5e3"}, "All pair coeffs are not set", None),
+    ({"ghost": "print skipped"}, "add: comm_modify vel yes", None),
+    ({"atoms": "atomic"}, "use: atom_style sphere", None),
+    ({"length": 4.9}, "enlarge the box, replicate it, or shorten the range", None),
+    ({"overlap": 0.8}, "overlap by 1.2 effective radii", None),
+    ({"extra": "minimize 0 0 10 10"}, "can be minimized only as frictionless elastic contact", None),
+    ({"extra": "compute s all stress/partition now"}, "Unknown compute stress/partition argument: now", "now"),
+    ({"extra": "group one id 1\ncompute s one stress/partition"}, "use group all instead of one", "one"),
+    ({"style": "zero 2.0", "coeff": "* *", "extra": "compute s all stress/partition"},
+     "which is not defined", None),
+    ({"extra": "fix d all drag/background"}, "missing argument", None),
+    ({"extra": "fix d all drag/background -1"}, "viscosity must be >= 0, but is -1", "-1"),
+    ({"extra": "fix d all drag/background 1 flow 1"}, "Unknown fix drag/background keyword: flow", "flow"),
+    ({"extra": "fix d all drag/background 1e6"}, "reduce it or increase the density", None),
+]
+
+TEMPLATE = (deck.CASE / "in.refused").read_text()
+
+
+def run(variables, fails):
+    """The deck with the values written into it: LAMMPS cannot underline a word that came from a variable."""
+    text = TEMPLATE
+    for name, value in variables.items():
+        text = text.replace(f"${{{name}}}", str(value))
+    deck.Path("in.now").write_text(text)
+    return deck.run(str(deck.Path.cwd() / "in.now"), fails=fails, **{k: str(v) for k, v in variables.items() if k == "overlap"}).text
+
+
+for variables, message, word in CASES:
+    text = run(variables, fails=True)
+    shown = next((line for line in text.splitlines() if line.startswith("ERROR")), "no error")
+    deck.expect(str(variables), message in shown, shown)
+    if word:
+        lines = text.splitlines()
+        last = next(n for n, line in enumerate(lines) if line.startswith("Last input line: "))
+        carets = lines[last + 1]
+        marked = lines[last][carets.index("^"):carets.rindex("^") + 1] if "^" in carets else ""
+        deck.expect(f"  underlined: {word}", marked == word, marked)
+
+text = run({"coeff": "* * 1e12 1e12"}, fails=False)
+deck.expect("a time step over the limit warns", "stability limit of the contact springs" in text)
+deck.expect("the table is printed once", text.count("what this run simulates") == 1)
+deck.finish()
