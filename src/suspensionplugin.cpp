@@ -12,6 +12,7 @@
 
 #include "compute_stress_partition.h"
 #include "fix_drag_background.h"
+#include "fix_neigh_history_lubcontact.h"
 #include "pair_lubcontact.h"
 
 #include "lammpsplugin.h"
@@ -77,5 +78,6 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
 
   pair("lubcontact", &create<Pair, PairLubcontact>);
   with_args("compute", "stress/partition", &create_with_args<Compute, ComputeStressPartition>);
+  with_args("fix", "NEIGH_HISTORY/LUBCONTACT", &create_with_args<Fix, FixNeighHistoryLubcontact>);
   with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
 }

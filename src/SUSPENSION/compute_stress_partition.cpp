@@ -90,8 +90,9 @@ void ComputeStressPartition::compute_array()
 
   double volume = domain->xprd * domain->yprd;
   if (domain->dimension == 3) volume *= domain->zprd;
-  for (auto &part : mine)
-    for (double &component : part) component /= -volume;
+  for (int m = 0; m <= NUM_PARTS; m++)
+    for (double &component : mine[m])
+      component *= -force->nktv2p / volume * (m == NUM_PARTS ? force->mvv2e : 1.0);
   MPI_Allreduce(mine, array[0], (NUM_PARTS + 1) * NUM_COMPONENTS, MPI_DOUBLE, MPI_SUM, world);
 }
 

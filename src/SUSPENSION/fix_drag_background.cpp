@@ -12,9 +12,11 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "force.h"
 #include "lubcontact_drag.h"
 #include "update.h"
 
+#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -68,7 +70,7 @@ void FixDragBackground::setup(int vflag)
       mine = MIN(mine, atom->rmass[i] / (6.0 * lubcontact::PI * eta * atom->radius[i]));
   MPI_Allreduce(&mine, &limit, 1, MPI_DOUBLE, MPI_MIN, world);
   // the spin relaxes faster: J/(8 pi eta R^3) is 0.3 of it
-  limit *= 0.3;
+  limit *= 0.3 / force->ftm2v;
   if (update->dt > limit)
     error->all(FLERR,
                "Time step {} exceeds {:.4g}, the shortest relaxation time under the drag of fix "

@@ -1,7 +1,7 @@
 // Resistances of the film between two spheres, leading order in the gap, per pair.
 // Squeeze, shear: N.A. Frankel, A. Acrivos, Chem. Eng. Sci. 22, 847 (1967); R.C. Ball,
 // J.R. Melrose, Physica A 247, 444 (1997). Roll: D.J. Jeffrey, Y. Onishi, J. Fluid Mech. 139,
-// 261 (1984), Y^C11 - Y^C12 of equal spheres; see doc/src/lubcontact_model.rst.
+// 261 (1984), (Y^C11 - Y^C12)/2 of equal spheres; see doc/src/lubcontact_model.rst.
 //
 // u = gap/a and ln_u = ln(gap/a) are both arguments: u may underflow where ln_u does not.
 

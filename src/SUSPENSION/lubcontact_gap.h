@@ -4,7 +4,7 @@
 // tau = (3/2) pi eta a/g:
 //     du/dt = u (r - A u),   no contact (u >= eps): r = un, A = 1
 //                            contact    (u <  eps): r = un + alpha eps, A = 1 + alpha, alpha = k/g
-// Model: W. Chevremont, B. Chareyre, H. Bodiguel, Powder Technol. 372, 600 (2020), with the time
+// Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020), with the time
 // scale corrected. In w = 1/u it is linear, dw/dt = A - r w, hence no iteration. The state is
 // y = ln u, which neither underflows nor changes sign.
 

@@ -1,5 +1,5 @@
 // Normal mode: squeeze film, asperities and bulk in series.
-// Model: W. Chevremont, B. Chareyre, H. Bodiguel, Powder Technol. 372, 600 (2020).
+// Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020).
 
 #ifndef LUBCONTACT_NORMAL_H
 #define LUBCONTACT_NORMAL_H

@@ -1,7 +1,7 @@
 // Tangential mode: Maxwell film with Coulomb friction of the asperities in parallel.
 //   F = -kt q,  dq/dt = slip rate                          while the contact sticks
 //   nu_t (slip rate - dq/dt) = kt q - (mu N) q/|q|         while it slips, or N = 0 without contact
-// Model: W. Chevremont, B. Chareyre, H. Bodiguel, Powder Technol. 372, 600 (2020), eqs. 23-33, with
+// Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020), eqs. 23-33, with
 // the sign of eqs. 26 and 31 corrected; here integrated to second order in time instead of by Euler.
 
 #ifndef LUBCONTACT_SHEAR_H

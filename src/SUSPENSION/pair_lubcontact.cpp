@@ -14,7 +14,6 @@
 #include "compute.h"
 #include "error.h"
 #include "fix.h"
-#include "fix_dummy.h"
 #include "fix_neigh_history.h"
 #include "force.h"
 #include "lubcontact_channels.h"
@@ -43,7 +42,7 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     Pair(lmp), partition_step(-1), eta(0.0), eta_name(nullptr), eta_var(-1), hc(0.0), range_rule(0),
     radius_rule(0), euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr), kt(nullptr),
     asperity(nullptr), roughness(nullptr), friction(nullptr), coulomb(nullptr), coeffs(nullptr),
-    reach(nullptr), film(new lubcontact::Film()), max_radius(nullptr), fix_dummy(nullptr),
+    reach(nullptr), film(new lubcontact::Film()), max_radius(nullptr), 
     fix_history(nullptr), reported(false), partition_now(false), mask(0), size_history(0),
     eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
@@ -60,9 +59,17 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
   single_extra = SINGLE_EXTRA;
   svector = new double[single_extra];
 
+  // lowest free number: a restarted script finds its history whatever pair styles either script had
+  int number = 1;
+  auto taken = [this](const std::string &id) { return modify->get_fix_by_id(id) != nullptr; };
+  while (taken(fmt::format("NEIGH_HISTORY_LUBCONTACT{}", number)) ||
+         taken(fmt::format("NEIGH_HISTORY_LUBCONTACT_DUMMY{}", number)))
+    number++;
+  history_id = fmt::format("NEIGH_HISTORY_LUBCONTACT{}", number);
+  dummy_id = fmt::format("NEIGH_HISTORY_LUBCONTACT_DUMMY{}", number);
+
   // keeps the place of the history among the fixes until its size is known
-  fix_dummy = dynamic_cast<FixDummy *>(modify->add_fix("NEIGH_HISTORY_LUBCONTACT_DUMMY" +
-                                                       std::to_string(instance_me) + " all DUMMY"));
+  modify->add_fix(dummy_id + " all DUMMY");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -71,11 +78,7 @@ PairLubcontact::~PairLubcontact()
 {
   if (copymode) return;
 
-  if (fix_history)
-    modify->delete_fix("NEIGH_HISTORY_LUBCONTACT" + std::to_string(instance_me));
-  else
-    modify->delete_fix("NEIGH_HISTORY_LUBCONTACT_DUMMY" + std::to_string(instance_me));
-
+  modify->delete_fix(fix_history ? history_id : dummy_id);
   delete[] svector;
   delete[] eta_name;
   delete[] max_radius;
@@ -289,20 +292,16 @@ void PairLubcontact::init_style()
 
 void PairLubcontact::require_history()
 {
-  const std::string id = "NEIGH_HISTORY_LUBCONTACT" + std::to_string(instance_me);
-  const std::string dummy = "NEIGH_HISTORY_LUBCONTACT_DUMMY" + std::to_string(instance_me);
-
   if (fix_history && fix_history->get_dnum() != size_history) {
     if (comm->me == 0)
       error->warning(FLERR, "Pair style lubcontact now has other effects: its history is dropped");
-    fix_dummy = dynamic_cast<FixDummy *>(modify->replace_fix(id, dummy + " all DUMMY", 1));
+    modify->replace_fix(history_id, dummy_id + " all DUMMY", 1);
     fix_history = nullptr;
   }
   if (!fix_history && size_history) {
-    modify->replace_fix(dummy, fmt::format("{} all NEIGH_HISTORY {}", id, size_history), 1);
-    fix_dummy = nullptr;
-    fix_history = dynamic_cast<FixNeighHistory *>(modify->get_fix_by_id(id));
-    if (!fix_history) error->all(FLERR, "Could not find pair fix neigh history ID {}", id);
+    fix_history = dynamic_cast<FixNeighHistory *>(modify->replace_fix(
+        dummy_id, fmt::format("{} all NEIGH_HISTORY/LUBCONTACT {}", history_id, size_history), 1));
+    if (!fix_history) error->all(FLERR, "Could not find pair fix neigh history ID {}", history_id);
     fix_history->pair = this;
   }
 }

@@ -18,6 +18,7 @@ PairStyle(lubcontact,PairLubcontact);
 
 #include "pair.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -83,7 +84,7 @@ class PairLubcontact : public Pair {
 
   double *max_radius;               // per type
   std::vector<double> stiffness;    // sum over the partners, at set-up
-  class FixDummy *fix_dummy;
+  std::string history_id, dummy_id;
   class FixNeighHistory *fix_history;
   bool reported;    // the table of this run has been printed
   bool partition_now;

@@ -85,6 +85,7 @@ void PairLubcontact::settings(int narg, char **arg)
   for (int &m : mode) m = 1;
   roll_coeff = 0.6;
   reported = false;
+  bool roll_coeff_given = false, gap_given = false;
 
   for (int iarg = 3; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
@@ -101,6 +102,7 @@ void PairLubcontact::settings(int narg, char **arg)
         error->all(FLERR, iarg + 2,
                    "Pair style lubcontact gap must be exponential or euler, but is {}", value);
       euler = value == "euler";
+      gap_given = true;
     } else if (key == "radius") {
       if (value != "mean" && value != "harmonic")
         error->all(FLERR, iarg + 2,
@@ -109,6 +111,7 @@ void PairLubcontact::settings(int narg, char **arg)
                                                      : lubcontact::Radius::HARMONIC);
     } else if (key == "rollcoeff") {
       roll_coeff = utils::numeric(FLERR, value, false, lmp);
+      roll_coeff_given = true;
       if (!(roll_coeff >= 0.0))
         error->all(FLERR, iarg + 2, "Pair style lubcontact rollcoeff must be >= 0, but is {}",
                    roll_coeff);
@@ -117,12 +120,12 @@ void PairLubcontact::settings(int narg, char **arg)
     }
   }
 
-  if (!mode[ROLL] && roll_coeff != 0.6)
+  if (!mode[ROLL] && roll_coeff_given)
     error->all(FLERR,
                "Pair style lubcontact rollcoeff cannot act with roll no: remove one of them");
-  if (!mode[SQUEEZE] && euler)
+  if (!mode[SQUEEZE] && gap_given)
     error->all(FLERR,
-               "Pair style lubcontact gap euler cannot act with squeeze no: remove one of them");
+               "Pair style lubcontact gap cannot act with squeeze no: remove one of them");
 }
 
 /* ----------------------------------------------------------------------
@@ -174,7 +177,7 @@ void PairLubcontact::coeff(int narg, char **arg)
         iarg++;
       } else {
         error->all(FLERR, iarg + 1,
-                   "Pair style lubcontact friction must be none or coulomb, but is {}", law);
+                   "Pair style lubcontact friction must be none or coulomb mu, but is {}", law);
       }
     } else {
       error->all(FLERR, iarg, "Unknown pair_coeff lubcontact keyword: {}", key);
@@ -261,11 +264,16 @@ double PairLubcontact::init_one(int i, int j)
     did_mix = true;
   }
   if (!(g[i][j] > 0.0 && kt[i][j] > 0.0 && asperity[i][j] > 0.0 && roughness[i][j] >= 0.0 &&
-        friction[i][j] >= 0.0))
+        roughness[i][j] < hc && friction[i][j] >= 0.0))
     error->all(FLERR,
                "Pair style lubcontact coefficients of types {} {} left their range: g {} kt {} "
                "asperity {} roughness {} friction {}",
                i, j, g[i][j], kt[i][j], asperity[i][j], roughness[i][j], friction[i][j]);
+  if (!coulomb[i][j] && friction[i][j] > 0.0)
+    error->all(FLERR,
+               "Pair style lubcontact has no friction between types {} {} that could be changed: "
+               "give pair_coeff friction coulomb 0 first",
+               i, j);
 
   const double eps = roughness[i][j];
   const lubcontact::GapLaw gap{asperity[i][j] / g[i][j], eps, eps > 0.0 ? log(eps) : -HUGE_VAL,

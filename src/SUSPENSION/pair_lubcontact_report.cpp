@@ -90,8 +90,9 @@ void PairLubcontact::check_box() const
 }
 
 /* ----------------------------------------------------------------------
-   sum over the partners of each owned atom of the stiffest spring: normal, or tangential plus
-   rolling over the inertia of a sphere. Returns the number of pairs in range on this rank
+   sum over the partners of each owned atom of the stiffest mode of a pair, as if both had its mass:
+   normal g; sliding with spin kt (1 + 5/2), inertia (2/5) m R^2; rolling, kt a^2, has 5/2 kt only.
+   Returns the number of pairs in range on this rank
 ------------------------------------------------------------------------- */
 
 double PairLubcontact::sum_stiffness()
@@ -110,8 +111,7 @@ double PairLubcontact::sum_stiffness()
       const auto geometry =
           lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
       if (geometry.un >= reach[itype][jtype] * a) continue;
-      const double spin = 2.5 * kt[itype][jtype] * (mode[ROLL] || mode[TWIST] ? 2.0 : 1.0);
-      const double k = MAX(g[itype][jtype], spin);
+      const double k = MAX(g[itype][jtype], 3.5 * kt[itype][jtype]);
       stiffness[i] += k;
       stiffness[j] += k;
       pairs += force->newton_pair || j < nlocal ? 1.0 : 0.5;
@@ -143,7 +143,7 @@ double PairLubcontact::time_step_limit() const
   double mine = 0.0, all;
   for (int i = 0; i < atom->nlocal; i++) mine = MAX(mine, 2.0 * stiffness[i] / atom->rmass[i]);
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return all > 0.0 ? 2.0 / sqrt(all) : HUGE_VAL;
+  return all > 0.0 ? 2.0 / sqrt(all * force->ftm2v) : HUGE_VAL;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -218,7 +218,7 @@ void PairLubcontact::report(double pairs, double limit)
                         eta * fabs(rate) * most[0] / g[1][1]);
     if (eta > 0.0)
       text += fmt::format(", St = rho a^2 rate/eta = {:.3g}",
-                          most[2] * most[0] * most[0] * fabs(rate) / eta);
+                          most[2] * most[0] * most[0] * fabs(rate) / (eta * force->ftm2v));
     text += "\n";
   }
   utils::logmesg(lmp, text);

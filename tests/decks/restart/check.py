@@ -27,6 +27,15 @@ a, b = deck.read_dump("straight.dump"), deck.read_dump("restarted.dump")
 for column in ("vx", "omegaz", "fy", "tqz"):
     deck.expect_close(f"triclinic {column}", b[column], a[column], atol=1e-8 * np.sqrt(np.mean(a[column] ** 2)))
 
+# the command write_restart between two runs: neither the history in memory nor that in the file may suffer
+plain = deck.run("in.between", write="no").tables()
+tables = deck.run("in.between", write="yes").tables()
+for name in ("PotEng", "KinEng", "Pxy"):
+    deck.expect_close(f"write_restart between runs, {name}", tables[1][name], plain[1][name], rtol=1e-9)
+    deck.expect_close(f"and from that file, {name}", tables[2][name], plain[1][name], rtol=1e-9)
+text = deck.run("in.other_effects", fails=True).text
+deck.expect("other effects than in the file are refused", "keep the effects it was written with" in text)
+
 # fix deform moves the cell at the end of a step, after the forces: the set-up of the restarted run sees ghosts that
 # the straight run sees one step later. What remains is of the order of what happens in one step of 5e-4.
 deck.run("in.straight", flow="deform")
