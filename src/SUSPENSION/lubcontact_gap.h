@@ -68,12 +68,35 @@ inline double log_add_exp(double a, double b)
   return std::fmax(a, b) + std::log1p(std::exp(-std::fabs(a - b)));
 }
 
-// ln(1 + q), without a call for the small q of a usual step.
-inline double log_ratio(double q)
+// ln(ratio), without a call near 1, where a usual step is.
+inline double log_ratio(double ratio)
 {
-  if (!(std::fabs(q) < 0.05)) return std::log1p(q);
+  const double q = ratio - 1.0;
+  if (!(std::fabs(q) < 0.05)) return std::log(ratio);
   const double s = q / (2.0 + q), t = s * s;    // 2 artanh(s)
   return 2.0 * s * (1.0 + t * (1.0 / 3 + t * (1.0 / 5 + t * (1.0 / 7 + t * (1.0 / 9 + t / 11)))));
+}
+
+// ln( exp(x^2) erfc(x) ) for x >= 0.
+inline double log_erfcx(double x)
+{
+  static constexpr double LN_ROOT_PI = 0.57236494292470009;
+  if (x < 20.0) return x * x + std::log(std::erfc(x));
+  return -LN_ROOT_PI - std::log(x * (1.0 + 0.5 / (x * x)));    // to 1e-5 of its variation
+}
+
+// ln of integral_0^1 exp(-z s + D s^2) ds for D < 0, exact: a Gaussian cut at both ends.
+inline double log_gaussian_integral(double z, double D)
+{
+  static constexpr double HALF_ROOT_PI = 0.88622692545275801;
+  const double root = std::sqrt(-D), a = 0.5 * z / root, b = a + root;
+  const double scale = std::log(HALF_ROOT_PI / root);
+  if (a > 0.0)
+    return scale + log_erfcx(a) + std::log1p(-std::exp(D - z + log_erfcx(b) - log_erfcx(a)));
+  if (b < 0.0)
+    return scale + D - z + log_erfcx(-b) +
+        std::log1p(-std::exp(z - D + log_erfcx(-a) - log_erfcx(-b)));
+  return scale + a * a + std::log(std::erf(b) - std::erf(a));
 }
 
 // One step of length h (in tau) with r going linearly from r0 to r1. Second order, exact for
@@ -82,7 +105,9 @@ inline double gap_exponential_any(double y0, double r0, double r1, double A, dou
 {
   const double D = 0.5 * h * (r1 - r0);
   const ExponentialMean m = log_exponential_mean(h * r1);
-  return -log_add_exp(-0.5 * h * (r0 + r1) - y0, std::log(A * h) + m.phi + D * m.mean_s2);
+  // the mean bounds the integral from below only, so that it must not be asked for a large fall
+  const double ln_I = D < -0.5 ? log_gaussian_integral(h * r1, D) : m.phi + D * m.mean_s2;
+  return -log_add_exp(-0.5 * h * (r0 + r1) - y0, std::log(A * h) + ln_I);
 }
 
 // The same where nothing can overflow, which is the usual case: u0/u1 = exp(-x) + A h I u0.
@@ -96,10 +121,10 @@ inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, doubl
   }
   const ExponentialMean m = exponential_mean(x + D);
   const double q = D * m.mean_s2;
-  const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 1e-11 at |q| < 1/300
+  const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 4e-10 at |q| < 1e-2
   const double exp_D = 1.0 + D * (1.0 + D * (1.0 / 2 + D * (1.0 / 6 + D * (1.0 / 24 + D / 120))));
   const double ratio = m.exp_minus_z * exp_D + A * h * m.phi * exp_q * old.u;
-  return {old.u / ratio, old.ln_u - log_ratio(ratio - 1.0)};
+  return {old.u / ratio, old.ln_u - log_ratio(ratio)};
 }
 
 // One step of backward Euler (Chevremont's eq. 18), rationalised so that nothing cancels.
@@ -107,8 +132,13 @@ inline Gap gap_euler(const Gap &old, double r1, double A, double h)
 {
   const double b = r1 - 1.0 / h;
   const double d = std::sqrt(b * b + 4.0 * A * old.u / h);
-  const double y1 = b <= 0.0 ? old.ln_u + std::log(2.0 / (h * (d - b)))
-                             : std::log((b + d) / (2.0 * A));
+  double y1;
+  if (d == 0.0)
+    y1 = 0.5 * (old.ln_u - std::log(A * h));    // b = 0 and u below the smallest number
+  else if (b <= 0.0)
+    y1 = old.ln_u + std::log(2.0 / (h * (d - b)));
+  else
+    y1 = std::log((b + d) / (2.0 * A));
   return {std::exp(y1), y1};
 }
 
@@ -129,27 +159,31 @@ inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un
                    : gap_exponential(old, un0 + add, un1 + add, A, h);
 }
 
-// Fraction of the step at which ln_u reaches ln_eps, end being beyond it: bracketed secant.
+// Fraction of the step at which ln_u reaches ln_eps, end being beyond it: Illinois, with a
+// bisection every third time for flat cases.
 inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, const Gap &end,
                            double un0, double un1, double h)
 {
   double lo = 0.0, f_lo = old.ln_u - law.ln_eps;
   double hi = 1.0, f_hi = end.ln_u - law.ln_eps;
   double t = 0.5;
-  for (int n = 0; n < 30 && hi - lo > 1e-12; n++) {
+  int kept = 0;    // end kept by the last evaluation: 1 high, -1 low
+  for (int n = 0; n < 100 && hi - lo > 1e-12; n++) {
     t = (lo * f_hi - hi * f_lo) / (f_hi - f_lo);
-    if (!(t > lo && t < hi)) t = 0.5 * (lo + hi);
+    if (n % 3 == 2 || !(t > lo && t < hi)) t = 0.5 * (lo + hi);
     const Gap there = gap_branch(law, contact, old, un0, un0 + t * (un1 - un0), t * h);
     const double f = there.ln_u - law.ln_eps;
     if (std::fabs(f) < 1e-13) break;
     if ((f > 0.0) == (f_lo > 0.0)) {
       lo = t;
       f_lo = f;
-      f_hi *= 0.5;    // Illinois: the retained end must move
+      if (kept == 1) f_hi *= 0.5;    // an end kept twice must move
+      kept = 1;
     } else {
       hi = t;
       f_hi = f;
-      f_lo *= 0.5;
+      if (kept == -1) f_lo *= 0.5;
+      kept = -1;
     }
   }
   return t;

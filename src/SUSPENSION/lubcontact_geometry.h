@@ -59,8 +59,8 @@ struct PairMotion {
 };
 
 // The velocities undo the step: x - dt v is the previous position for velocity Verlet. All is taken
-// at mid-step and carried to its end, second order: the mid-step normal is n - lean/2, and turning
-// it into n adds half a tilt. A rigid rotation by the angle t gives a slip of order r t^3/12.
+// at mid-step and carried to its end by half of the turn, second order: the mid-step normal is
+// n - lean/2, and turning it into n adds half a tilt. A rigid rotation by the angle t gives a slip of order r t^3/12.
 inline PairMotion pair_motion(const PairGeometry &g, const Body &i, const Body &j, double r_old,
                               double dt)
 {
@@ -70,15 +70,19 @@ inline PairMotion pair_motion(const PairGeometry &g, const Body &i, const Body &
   const Vec3 tilt = scale * cross(g.n, move);        // takes the old normal to n
   const Vec3 lean = scale * (move - along * g.n);    // tilt x n
 
-  const Vec3 arms = dt * (g.arm_i * i.omega + g.arm_j * j.omega);
+  const double shorter = 0.25 * (g.r - r_old);    // the arms at mid-step
+  const Vec3 arms = dt * ((g.arm_i - shorter) * i.omega + (g.arm_j - shorter) * j.omega);
   const Vec3 difference = dt * (i.omega - j.omega);
   const Vec3 sum = dt * (i.omega + j.omega);
   const double about = dot(difference, g.n);
   const double spin = 0.5 * (dot(sum, g.n) - 0.5 * dot(sum, lean));
 
+  const Vec3 slip = (0.5 * (r_old + g.r)) * lean - cross(arms, g.n) + (0.5 * dot(arms, g.n)) * tilt;
+  const Vec3 roll = difference - about * g.n + (0.5 * about) * lean;
+
   PairMotion m;
-  m.slip = (0.5 * (r_old + g.r)) * lean - cross(arms, g.n) + (0.5 * dot(arms, g.n)) * tilt;
-  m.roll = difference - about * g.n + (0.5 * about) * lean;
+  m.slip = slip + (0.5 * spin) * cross(g.n, slip);
+  m.roll = roll + (0.5 * spin) * cross(g.n, roll);
   m.twist = about - 0.5 * dot(difference, lean);
   m.turn = tilt + spin * g.n - (0.5 * spin) * lean;    // tilt first, then spin about n
   return m;

@@ -73,7 +73,8 @@ inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &o
 inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, double u, bool film)
 {
   const double total = c.g * (u - un);
-  if (!film) return {larger(0.0, total), 0.0};
+  // at a gap u is un to rounding only: that is no contact
+  if (!film) return {un < c.gap.eps * a || un < 0.0 ? larger(0.0, total) : 0.0, 0.0};
   const double contact = c.asperity * larger(0.0, c.gap.eps * a - u);
   return {contact, total - contact};
 }

@@ -2,7 +2,7 @@
 //   F = -kt q,  dq/dt = slip rate                          while the contact sticks
 //   nu_t (slip rate - dq/dt) = kt q - (mu N) q/|q|         while it slips, or N = 0 without contact
 // Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020), eqs. 23-33, with
-// the sign of eqs. 26 and 31 corrected; here integrated to second order in time instead of by Euler.
+// the sign of eqs. 26 and 31 corrected. In time: second order, but first where a slip turns.
 
 #ifndef LUBCONTACT_SHEAR_H
 #define LUBCONTACT_SHEAR_H

@@ -42,9 +42,9 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     Pair(lmp), partition_step(-1), eta(0.0), eta_name(nullptr), eta_var(-1), hc(0.0), range_rule(0),
     radius_rule(0), euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr), kt(nullptr),
     asperity(nullptr), roughness(nullptr), friction(nullptr), coulomb(nullptr), coeffs(nullptr),
-    reach(nullptr), film(new lubcontact::Film()), max_radius(nullptr), 
-    fix_history(nullptr), reported(false), partition_now(false), mask(0), size_history(0),
-    eval(nullptr), eval_single(nullptr), exchange(nullptr)
+    reach(nullptr), film(new lubcontact::Film()), max_radius(nullptr), fix_history(nullptr),
+    reported(false), partition_now(false), mask(0), size_history(0), eval(nullptr),
+    eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
 
@@ -61,7 +61,9 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
 
   // lowest free number: a restarted script finds its history whatever pair styles either script had
   int number = 1;
-  auto taken = [this](const std::string &id) { return modify->get_fix_by_id(id) != nullptr; };
+  auto taken = [this](const std::string &id) {
+    return modify->get_fix_by_id(id) != nullptr;
+  };
   while (taken(fmt::format("NEIGH_HISTORY_LUBCONTACT{}", number)) ||
          taken(fmt::format("NEIGH_HISTORY_LUBCONTACT_DUMMY{}", number)))
     number++;

@@ -124,8 +124,7 @@ void PairLubcontact::settings(int narg, char **arg)
     error->all(FLERR,
                "Pair style lubcontact rollcoeff cannot act with roll no: remove one of them");
   if (!mode[SQUEEZE] && gap_given)
-    error->all(FLERR,
-               "Pair style lubcontact gap cannot act with squeeze no: remove one of them");
+    error->all(FLERR, "Pair style lubcontact gap cannot act with squeeze no: remove one of them");
 }
 
 /* ----------------------------------------------------------------------
