@@ -28,7 +28,8 @@ template <unsigned MASK> struct Effects {
   static constexpr bool roll = MASK & ROLL;
   static constexpr bool twist = MASK & TWIST;
   static constexpr bool tangential = shear || friction;
-  static constexpr bool turns = tangential || roll;    // some history vector co-rotates
+  static constexpr bool films = shear || roll || twist;    // some film besides the squeeze film
+  static constexpr bool turns = tangential || roll;        // some history vector co-rotates
 
   // without squeeze the gap is quasi-static: no history
   static constexpr bool gap_history = squeeze;

@@ -8,6 +8,7 @@
 #ifndef LUBCONTACT_FILM_H
 #define LUBCONTACT_FILM_H
 
+#include "lubcontact_polynomial.h"
 #include "lubcontact_vec3.h"
 
 #include <cmath>
@@ -40,15 +41,8 @@ inline double squeeze_coeff(double viscosity)
 inline double log_two_plus(double u)
 {
   if (!(u >= 0.0 && u < 0.5)) return std::log(2.0 + u);
-  const double s = u / (4.0 + u), t = s * s;
-  return 0.69314718055994531 +
-      2.0 * s *
-      (1.0 +
-       t *
-           (1.0 / 3 +
-            t *
-                (1.0 / 5 +
-                 t * (1.0 / 7 + t * (1.0 / 9 + t * (1.0 / 11 + t * (1.0 / 13 + t / 15)))))));
+  const double s = u / (4.0 + u);
+  return 0.69314718055994531 + 2.0 * s * polynomial(ARTANH_SERIES, s * s);
 }
 
 // Shear over pi eta a:  [ (2+u) ln((2+u)/u) - 2 ] / 2.

@@ -11,6 +11,8 @@
 #ifndef LUBCONTACT_GAP_H
 #define LUBCONTACT_GAP_H
 
+#include "lubcontact_polynomial.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,12 +40,12 @@ static constexpr double PHI_SERIES[12] = {
 static constexpr double PSI_SERIES[9] = {1.0 / 3,   1.0 / 4,    1.0 / 10,    1.0 / 36,    1.0 / 168,
                                          1.0 / 960, 1.0 / 6480, 1.0 / 50400, 1.0 / 443520};
 
+static constexpr double EXP_SERIES[6] = {1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120};
+
 inline ExponentialMean exponential_mean(double z)
 {
   if (std::fabs(z) < 0.3) {    // Taylor series, to rounding; the mean to 1e-11
-    double phi = PHI_SERIES[11], psi = PSI_SERIES[8];
-    for (int n = 10; n >= 0; n--) phi = PHI_SERIES[n] - z * phi;
-    for (int n = 7; n >= 0; n--) psi = PSI_SERIES[n] - z * psi;
+    const double phi = polynomial(PHI_SERIES, -z), psi = polynomial(PSI_SERIES, -z);
     return {phi, psi / phi, 1.0 - z * phi};
   }
   const double e = std::exp(-z), lost = 1.0 - e;
@@ -73,8 +75,8 @@ inline double log_ratio(double ratio)
 {
   const double q = ratio - 1.0;
   if (!(std::fabs(q) < 0.05)) return std::log(ratio);
-  const double s = q / (2.0 + q), t = s * s;    // 2 artanh(s)
-  return 2.0 * s * (1.0 + t * (1.0 / 3 + t * (1.0 / 5 + t * (1.0 / 7 + t * (1.0 / 9 + t / 11)))));
+  const double s = q / (2.0 + q);    // 2 artanh(s)
+  return 2.0 * s * polynomial(ARTANH_SERIES, s * s);
 }
 
 // ln( exp(x^2) erfc(x) ) for x >= 0.
@@ -122,7 +124,7 @@ inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, doubl
   const ExponentialMean m = exponential_mean(x + D);
   const double q = D * m.mean_s2;
   const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 4e-10 at |q| < 1e-2
-  const double exp_D = 1.0 + D * (1.0 + D * (1.0 / 2 + D * (1.0 / 6 + D * (1.0 / 24 + D / 120))));
+  const double exp_D = polynomial(EXP_SERIES, D);
   const double ratio = m.exp_minus_z * exp_D + A * h * m.phi * exp_q * old.u;
   return {old.u / ratio, old.ln_u - log_ratio(ratio)};
 }
@@ -213,7 +215,8 @@ inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0, double un1, 
   const bool contact = old.ln_u < law.ln_eps ||
       (old.ln_u == law.ln_eps && un0 + un1 < 2.0 * law.eps);
   const Gap end = gap_branch(law, contact, old, un0, un1, h);
-  if (contact ? end.ln_u > law.ln_eps : end.ln_u < law.ln_eps)
+  // without a branch on contact, which is as good as random
+  if ((contact & (end.ln_u > law.ln_eps)) | (!contact & (end.ln_u < law.ln_eps)))
     return gap_cross(law, contact, old, end, un0, un1, h);
   return end;
 }

@@ -70,10 +70,10 @@ inline PairMotion pair_motion(const PairGeometry &g, const Body &i, const Body &
   const Vec3 tilt = scale * cross(g.n, move);        // takes the old normal to n
   const Vec3 lean = scale * (move - along * g.n);    // tilt x n
 
-  const double shorter = 0.25 * (g.r - r_old);    // the arms at mid-step
-  const Vec3 arms = dt * ((g.arm_i - shorter) * i.omega + (g.arm_j - shorter) * j.omega);
   const Vec3 difference = dt * (i.omega - j.omega);
   const Vec3 sum = dt * (i.omega + j.omega);
+  // the arms at mid-step, arm_i omega_i + arm_j omega_j
+  const Vec3 arms = (0.25 * (r_old + g.r)) * sum + (0.5 * (g.arm_i - g.arm_j)) * difference;
   const double about = dot(difference, g.n);
   const double spin = 0.5 * (dot(sum, g.n) - 0.5 * dot(sum, lean));
 

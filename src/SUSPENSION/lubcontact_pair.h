@@ -75,7 +75,7 @@ inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry 
 
   const double un_old = old[E::SURFACE_SLOT];
   const double gap_old = un_old * g.per_a;
-  Gap before, after;
+  Gap before{}, after{};
   if constexpr (E::gap_history) {
     before = {old[E::GAP_SLOT], old[E::GAP_SLOT + 1]};
     after = next_gap(c.normal, f, g.a, before, gap_old, g.gap, dt);
@@ -84,8 +84,10 @@ inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry 
   } else if constexpr (E::reads_gap) {
     before.u = elastic_gap(c.normal.gap, gap_old);
     after.u = elastic_gap(c.normal.gap, g.gap);
-    before.ln_u = std::log(before.u);
-    after.ln_u = std::log(after.u);
+    if constexpr (E::films) {    // friction alone needs no logarithm
+      before.ln_u = std::log(before.u);
+      after.ln_u = std::log(after.u);
+    }
   }
   next[E::SURFACE_SLOT] = g.un;
 

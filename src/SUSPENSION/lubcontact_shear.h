@@ -35,8 +35,9 @@ inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone, double res
   const double near = norm(q0);
   double size;
   if (near < cone) {
-    const double share = (far - cone) / (far - near);    // of the step spent slipping
-    size = cone + relaxation(resistance, stiffness_dt * share).gain * (far - cone);
+    // slips for the share (far - cone)/(far - near) of the step; only stiffness dt/resistance counts
+    const Relaxation f = relaxation(resistance * (far - near), stiffness_dt * (far - cone));
+    size = cone + f.gain * (far - cone);
   } else {
     const Relaxation f = relaxation(resistance, stiffness_dt);
     size = larger(cone, cone + f.keep * (near - cone) + f.gain * (far - near));

@@ -122,21 +122,33 @@ void PairLubcontact::compute(int eflag, int vflag)
    the loop: fetch, call, add, tally
 ------------------------------------------------------------------------- */
 
-template <unsigned MASK> void PairLubcontact::eval_effects()
+// All inlined: the functions of the kernel are long, but each is called once.
+
+template <unsigned MASK> [[gnu::flatten]] void PairLubcontact::eval_effects()
 {
   using E = lubcontact::Effects<MASK>;
   constexpr int SIZE = E::HISTORY_SIZE;
+  constexpr bool TORQUE = E::turns || E::twist;
   const bool advance = !update->setupflag;      // a set-up sees the history of the last step
   const bool guard = update->whichflag != 2;    // a minimization may separate anything
+  const bool newton = force->newton_pair;
+  const bool tally = evflag || partition_now;
+  const int nlocal = atom->nlocal;
   const double dt = update->dt;
-  const double *radius = atom->radius;
+  const lubcontact::Film fluid = *film;
+  const auto rule = static_cast<lubcontact::Radius>(radius_rule);
   const int *type = atom->type;
-  double **x = atom->x;
+  const double *radius = atom->radius;
+  const double *const *x = atom->x, *const *v = atom->v, *const *omega = atom->omega;
+  double **f = atom->f, **torque = atom->torque;
 
-  auto body = [this, x, radius](int i) {
-    const double *v = atom->v[i], *omega = atom->omega[i];
-    return Body{
-        {x[i][0], x[i][1], x[i][2]}, {v[0], v[1], v[2]}, {omega[0], omega[1], omega[2]}, radius[i]};
+  auto vector = [](const double *a) {
+    return Vec3{a[0], a[1], a[2]};
+  };
+  auto add = [](const Vec3 &a, double *sum) {
+    sum[0] += a.x;
+    sum[1] += a.y;
+    sum[2] += a.z;
   };
 
   for (int ii = 0; ii < list->inum; ii++) {
@@ -145,76 +157,71 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
     const int jnum = list->numneigh[i];
     int *known = SIZE ? fix_history->firstflag[i] : nullptr;
     double *histories = SIZE ? fix_history->firstvalue[i] : nullptr;
-    const Body body_i = body(i);
+    const Body body_i{vector(x[i]), vector(v[i]), vector(omega[i]), radius[i]};
+    const PairCoeffs *coeffs_i = coeffs[type[i]];
+    const double *reach_i = reach[type[i]];
+    Vec3 force_on, torque_on;
 
     for (int jj = 0; jj < jnum; jj++) {
       const int j = jlist[jj] & NEIGHMASK;
       if (force->special_lj[sbmask(jlist[jj])] == 0.0) continue;
 
-      const double radsum = radius[i] + radius[j];
-      const double a = effective_radius(radius[i], radius[j]);
-      const double end = radsum + reach[type[i]][type[j]] * a;
-      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
-      if (dx * dx + dy * dy + dz * dz >= end * end) {
+      // a is at most the mean radius: most pairs out of range need no division
+      const int jtype = type[j];
+      const double radsum = body_i.radius + radius[j];
+      const double most = radsum * (1.0 + 0.5 * reach_i[jtype]);
+      const Vec3 d = body_i.x - vector(x[j]);
+      if (dot(d, d) >= most * most) {
         if (SIZE) known[jj] = 0;
         continue;
       }
-
-      const PairCoeffs &c = coeffs[type[i]][type[j]];
-      const Body body_j = body(j);
+      const Body body_j{vector(x[j]), vector(v[j]), vector(omega[j]), radius[j]};
+      const double a = lubcontact::effective_radius(rule, body_i.radius, body_j.radius);
       const PairGeometry geometry =
-          lubcontact::pair_geometry(body_i.x, body_j.x, radius[i], radius[j], a);
+          lubcontact::pair_geometry(body_i.x, body_j.x, body_i.radius, body_j.radius, a);
+      if (geometry.un >= reach_i[jtype] * a) {
+        if (SIZE) known[jj] = 0;
+        continue;
+      }
       if (!(geometry.un > -a) && guard) overlap_error(i, j, geometry.un / a);
 
+      const PairCoeffs &c = coeffs_i[jtype];
       double *history = SIZE ? histories + SIZE * jj : nullptr;
       if (SIZE) {
         if (!known[jj]) {
           lubcontact::first_history<E>(c, geometry, history);
           known[jj] = 1;
         } else if (advance) {
-          lubcontact::next_history<E>(c, *film, geometry, body_i, body_j, dt, history, history);
+          lubcontact::next_history<E>(c, fluid, geometry, body_i, body_j, dt, history, history);
         }
       }
-      apply<E>(i, j, c, geometry, lubcontact::pair_load<E>(c, *film, geometry, history));
+
+      const Load load = lubcontact::pair_load<E>(c, fluid, geometry, history);
+      const Vec3 force_i = lubcontact::force_on_i(load, geometry);
+      force_on = force_on + force_i;
+      if (TORQUE) torque_on = torque_on + lubcontact::torque_on_i(load, geometry);
+      if (newton || j < nlocal) {
+        add(-1.0 * force_i, f[j]);
+        if (TORQUE) add(lubcontact::torque_on_j(load, geometry), torque[j]);
+      }
+      if (tally) tally_pair<E>(i, j, c, geometry, load);
     }
+    add(force_on, f[i]);
+    if (TORQUE) add(torque_on, torque[i]);
   }
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   energy, virial and stress by origin, in the steps that need them
+------------------------------------------------------------------------- */
 
 template <class E>
-void PairLubcontact::apply(int i, int j, const PairCoeffs &c, const PairGeometry &geometry,
-                           const Load &load)
+[[gnu::noinline]] void PairLubcontact::tally_pair(int i, int j, const PairCoeffs &c,
+                                                  const PairGeometry &geometry, const Load &load)
 {
-  const Vec3 force_i = lubcontact::force_on_i(load, geometry);
-  double *fi = atom->f[i];
-  fi[0] += force_i.x;
-  fi[1] += force_i.y;
-  fi[2] += force_i.z;
-  if constexpr (E::turns || E::twist) {
-    const Vec3 torque = lubcontact::torque_on_i(load, geometry);
-    double *ti = atom->torque[i];
-    ti[0] += torque.x;
-    ti[1] += torque.y;
-    ti[2] += torque.z;
-  }
-  if (force->newton_pair || j < atom->nlocal) {
-    double *fj = atom->f[j];
-    fj[0] -= force_i.x;
-    fj[1] -= force_i.y;
-    fj[2] -= force_i.z;
-    if constexpr (E::turns || E::twist) {
-      const Vec3 torque = lubcontact::torque_on_j(load, geometry);
-      double *tj = atom->torque[j];
-      tj[0] += torque.x;
-      tj[1] += torque.y;
-      tj[2] += torque.z;
-    }
-  }
-
   if (evflag) {
     const double energy = eflag_either ? lubcontact::pair_energy<E>(c, geometry, load) : 0.0;
-    const Vec3 d = geometry.r * geometry.n;
+    const Vec3 force_i = lubcontact::force_on_i(load, geometry), d = geometry.r * geometry.n;
     ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, force_i.x, force_i.y,
                  force_i.z, d.x, d.y, d.z);
   }

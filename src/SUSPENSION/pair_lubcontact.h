@@ -105,8 +105,8 @@ class PairLubcontact : public Pair {
   template <unsigned MASK>
   lubcontact::Load single_effects(int, int, const lubcontact::PairGeometry &, double &);
   template <class E>
-  void apply(int, int, const lubcontact::PairCoeffs &, const lubcontact::PairGeometry &,
-             const lubcontact::Load &);
+  void tally_pair(int, int, const lubcontact::PairCoeffs &, const lubcontact::PairGeometry &,
+                  const lubcontact::Load &);
 
   void allocate();
   void parse_coeff(int, char **, int, double *);
