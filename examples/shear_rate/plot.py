@@ -37,6 +37,26 @@ def mean_and_error(values, blocks=8):
     return np.mean(values), np.std(means, ddof=1) / np.sqrt(blocks)
 
 
+def draw_parts(ax, data, start):
+    """Parts of the shear stress against strain, stacked on that of the fluid; mean from strain start on."""
+    strain = data[:, 0]
+    bottom = np.ones_like(strain)
+    ax.fill_between(strain, 0, bottom, color="0.8", label="fluid", lw=0)
+    colors = ["#1f4e79", "#6fa8dc", "#b45f06", "#f6b26b"]
+    for name, color, part in zip(NAMES, colors, data[:, 2:6].T):
+        ax.fill_between(strain, bottom, bottom + part, color=color, label=name, lw=0)
+        bottom = bottom + part
+    mean, error = mean_and_error(data[strain >= start, 1])
+    ax.plot([start, strain[-1]], [mean, mean], "k--", lw=1)
+    ax.annotate(rf"$\eta_r$ = {mean:.1f} $\pm$ {error:.1f}", (strain[-1], mean), xytext=(-4, 5),
+                textcoords="offset points", ha="right", weight="bold",
+                bbox={"fc": "white", "ec": "none", "alpha": 0.85, "pad": 1.5})
+    ax.set(xlabel="strain", ylabel=r"$\sigma_{xy}/(\eta_f\dot\gamma)$", xlim=(0, strain[-1]),
+           ylim=(0, 1.3 * data[:, 1].max()))
+    handles, labels = ax.get_legend_handles_labels()
+    ax.legend(handles[::-1], labels[::-1], ncol=2, fontsize=8, loc="upper left", frameon=False)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--from", dest="start", type=float, default=None)
@@ -58,23 +78,7 @@ def main():
     print(f"  laws at this phi: Chevremont 2019 {law_chevremont(args.phi):.1f}, Boyer 2011 {law_boyer(args.phi):.1f}")
 
     fig, ax = plt.subplots(figsize=(7.5, 4.6))
-    bottom = np.ones_like(strain)
-    ax.fill_between(strain, 0, bottom, color="0.85", label="fluid")
-    colors = ["#1f4e79", "#6fa8dc", "#b45f06", "#f6b26b"]
-    for name, color, part in zip(NAMES, colors, data[:, 2:6].T):
-        ax.fill_between(strain, bottom, bottom + part, color=color, label=name, lw=0)
-        bottom = bottom + part
-    ax.plot(strain, data[:, 1], "k", lw=1)
-    mean, error = mean_and_error(steady[:, 1])
-    ax.axhline(mean, xmin=start / strain[-1], color="k", ls="--", lw=1)
-    ax.annotate(rf"$\eta_r$ = {mean:.1f} $\pm$ {error:.1f}", (strain[-1], mean), xytext=(-4, 14),
-                textcoords="offset points", ha="right", weight="bold",
-                bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1.5})
-    ax.axvline(start, color="0.4", ls=":", lw=1)
-    ax.set(xlabel="strain", ylabel=r"$\sigma_{xy}/(\eta_f\dot\gamma)$", xlim=(0, strain[-1]),
-           ylim=(0, 1.25 * data[:, 1].max()))
-    handles, labels = ax.get_legend_handles_labels()
-    ax.legend(handles[::-1], labels[::-1], ncol=2, fontsize=8, loc="upper left", frameon=False)
+    draw_parts(ax, data, start)
     fig.tight_layout()
     fig.savefig("figure.png", dpi=150)
     print("wrote figure.png")
@@ -82,7 +86,14 @@ def main():
     if Path("particles.ppm").exists():
         image = plt.imread("particles.ppm")
         plt.imsave("particles.png", image)
-        print("wrote particles.png")
+        fig, axes = plt.subplots(1, 2, figsize=(11, 4.3), width_ratios=[1, 1.25])
+        axes[0].imshow(image[20:-20, 60:-60])
+        axes[0].set_axis_off()
+        axes[0].set_title("1000 spheres, color: velocity along the flow", fontsize=9)
+        draw_parts(axes[1], data, start)
+        fig.tight_layout()
+        fig.savefig("overview.png", dpi=120)
+        print("wrote particles.png, overview.png")
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ def draw(rows):
     ax.barh(y, means, xerr=errors, color=colors, height=0.7, error_kw={"lw": 1})
     ax.axvline(means[0], color="k", lw=0.8, ls="--")
     ax.axvline(law_chevremont(0.5), color="0.4", lw=0.8, ls=":")
-    ax.text(law_chevremont(0.5), 1.2, "laws of 2011 and 2019", fontsize=7, ha="left", color="0.3")
+    ax.text(law_chevremont(0.5) - 0.5, 1.1, "laws of 2011 and 2019", fontsize=7, ha="right", color="0.3")
     ax.set(yticks=y, xlabel=r"$\eta_r$ at $\phi$ = 0.5", ylim=(y[-1] - 0.7, 2))
     ax.set_yticklabels(labels, fontsize=7)
     fig.tight_layout()
