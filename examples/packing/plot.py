@@ -25,12 +25,12 @@ def gaps(x, radius, box):
 
 
 fig, axes = plt.subplots(1, 3, figsize=(11, 3.7))
-for ax, name, title in zip(axes, ("spheres", "discs"), (r"1000 spheres, $\phi$ = 0.62", r"500 discs, $\phi$ = 0.80")):
+for ax, name, dim in zip(axes, ("spheres", "discs"), (3, 2)):
+    x, radius, box = read(f"{name}.dump")
+    solid = np.sum(4 / 3 * np.pi * radius**3) if dim == 3 else np.sum(np.pi * radius**2)
     ax.imshow(plt.imread(f"{name}.ppm"))
     ax.set_axis_off()
-    ax.set_title(title, fontsize=10)
-for name, dim in (("spheres", 3), ("discs", 2)):
-    x, radius, box = read(f"{name}.dump")
+    ax.set_title(rf"{len(radius)} {name}, $\phi$ = {solid / box[:dim].prod():.2f}", fontsize=10)
     gap = gaps(x[:, :dim], radius, box[:dim])
     print(f"{name}: smallest gap {gap.min():.1e}, pairs closer than 1e-3: {np.count_nonzero(gap < 1e-3) / len(radius):.2f} a particle")
     gap = np.sort(np.maximum(gap, 1e-7))

@@ -60,14 +60,15 @@ def draw_parts(ax, data, start):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--from", dest="start", type=float, default=None)
-    parser.add_argument("--phi", type=float, default=0.5)
     args = parser.parse_args()
     data = read()
+    with open("stress.txt", encoding="ascii") as file:
+        phi = float(file.readline().split()[-1])
     strain = data[:, 0]
     start = args.start if args.start is not None else 0.25 * strain[-1]
     steady = data[strain >= start]
 
-    print(f"steady part: strain {start:.2f} to {strain[-1]:.2f}, phi = {args.phi}")
+    print(f"steady part: strain {start:.2f} to {strain[-1]:.2f}, phi = {phi:g}")
     for name, column in [("eta_r", 1)] + list(zip(NAMES, range(2, 6))) + [("inertia", 6)]:
         mean, error = mean_and_error(steady[:, column])
         print(f"  {name:24s} {mean:8.2f} +- {error:.2f}")
@@ -75,7 +76,7 @@ def main():
                          ("N1", steady[:, 7] - steady[:, 8]), ("N2", steady[:, 8] - steady[:, 9])]:
         mean, error = mean_and_error(values)
         print(f"  {name:24s} {mean:8.2f} +- {error:.2f}")
-    print(f"  laws at this phi: Chevremont 2019 {law_chevremont(args.phi):.1f}, Boyer 2011 {law_boyer(args.phi):.1f}")
+    print(f"  laws at this phi: Chevremont 2019 {law_chevremont(phi):.1f}, Boyer 2011 {law_boyer(phi):.1f}")
 
     fig, ax = plt.subplots(figsize=(7.5, 4.6))
     draw_parts(ax, data, start)
@@ -89,7 +90,7 @@ def main():
         fig, axes = plt.subplots(1, 2, figsize=(11, 4.3), width_ratios=[1, 1.25])
         axes[0].imshow(image[20:-20, 60:-60])
         axes[0].set_axis_off()
-        axes[0].set_title("1000 spheres, color: velocity along the flow", fontsize=9)
+        axes[0].set_title("color: velocity along the flow", fontsize=9)
         draw_parts(axes[1], data, start)
         fig.tight_layout()
         fig.savefig("overview.png", dpi=120)

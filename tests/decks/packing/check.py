@@ -1,5 +1,9 @@
 # ranks: 1 2
 """The packing generator: no overlaps, the volume fraction asked for, the sizes asked for, in 3d and 2d."""
+import os
+import subprocess
+import sys
+
 import numpy as np
 from scipy.spatial import cKDTree
 
@@ -33,4 +37,11 @@ for case in ({"phi": 0.5, "separation": 0.01}, {"phi": 0.62, "N": 600}, {"phi": 
     gap = (np.linalg.norm(r, axis=1) - ri - rj) / (2 * ri * rj / (ri + rj))
     deck.expect("smallest gap over the effective radius", gap.min() > case.get("separation", 0) - 1e-5, f"{gap.min():.2e}")
 deck.run("in.packing", fails=True, phi=0.75, N=300)
+
+# the example, smaller
+example = deck.ROOT / "examples" / "packing"
+deck.run(str(example / "in.packing"), packing=str(example / "packing.lmp"), name="spheres", N=200)
+deck.run(str(example / "in.packing"), packing=str(example / "packing.lmp"), name="discs", N=200, dim=2, phi=0.8, sizes="flat")
+subprocess.run([sys.executable, str(example / "plot.py")], check=True)
+deck.expect("the figure is drawn", os.path.getsize("figure.png") > 1e4)
 deck.finish()
