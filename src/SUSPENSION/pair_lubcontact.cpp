@@ -42,9 +42,9 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     Pair(lmp), partition_step(-1), eta(0.0), eta_name(nullptr), eta_var(-1), hc(0.0), range_rule(0),
     radius_rule(0), euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr), kt(nullptr),
     asperity(nullptr), roughness(nullptr), friction(nullptr), coulomb(nullptr), coeffs(nullptr),
-    reach(nullptr), film(new lubcontact::Film()), max_radius(nullptr), fix_history(nullptr),
-    reported(false), partition_now(false), mask(0), size_history(0), eval(nullptr),
-    eval_single(nullptr), exchange(nullptr)
+    reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
+    fix_history(nullptr), reported(false), partition_now(false), mask(0), size_history(0),
+    eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
 
@@ -292,6 +292,7 @@ void PairLubcontact::init_style()
                         NeighConst::REQ_DEFAULT | (size_history ? NeighConst::REQ_HISTORY : 0));
   require_history();
   find_max_radius();
+  longest = 0.0;    // init_one() comes next
   clients = modify->get_compute_by_style("^stress/partition");
 }
 

@@ -82,6 +82,8 @@ class PairLubcontact : public Pair {
   double **reach;                     // largest gap that acts, over the effective radius
   lubcontact::Film *film;
 
+  double
+      longest;    // distance of centers at which the style acts; under hybrid cutforce is not set
   double *max_radius;               // per type
   std::vector<double> stiffness;    // sum over the partners, at set-up
   std::string history_id, dummy_id;

@@ -291,8 +291,9 @@ double PairLubcontact::init_one(int i, int j)
   reach[j][i] = reach[i][j];
 
   const double ri = max_radius[i], rj = max_radius[j];
-  if (!(ri > 0.0 && rj > 0.0)) return ri + rj;
-  return ri + rj + reach[i][j] * effective_radius(ri, rj);
+  const double gap_end = ri > 0.0 && rj > 0.0 ? reach[i][j] * effective_radius(ri, rj) : 0.0;
+  longest = MAX(longest, ri + rj + gap_end);
+  return ri + rj + gap_end;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -80,13 +80,13 @@ void PairLubcontact::check_box() const
   const double height[3] = {1.0 / sqrt(hi[0] * hi[0] + hi[5] * hi[5] + hi[4] * hi[4]),
                             1.0 / sqrt(hi[1] * hi[1] + hi[3] * hi[3]), 1.0 / hi[2]};
   for (int d = 0; d < domain->dimension; d++)
-    if (domain->periodicity[d] && height[d] < 2.0 * cutforce)
+    if (domain->periodicity[d] && height[d] < 2.0 * longest)
       error->all(
           FLERR,
           "Periodic box height {:.6g} along {} is below twice the range {:.6g} of pair style "
           "lubcontact, so that a pair could meet through two images: enlarge the box, "
           "replicate it, or shorten the range",
-          height[d], "xyz"[d], cutforce);
+          height[d], "xyz"[d], longest);
 }
 
 /* ----------------------------------------------------------------------
