@@ -12,6 +12,7 @@ if [ ! -e "$lammps_source" ]; then "$top/tools/fetch_lammps.sh" "$version" "$lam
 
 args=(-D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O3 -DNDEBUG" -D CMAKE_CXX_FLAGS=-fpch-preprocess
   -D BUILD_MPI=on -D BUILD_OMP=off -D PKG_GRANULAR=on -D PKG_PLUGIN=on -D PKG_COLLOID=on
+  -D PKG_GRAPHICS=on    # dump image, in releases that have moved it there
   -D WITH_JPEG=off -D WITH_PNG=off -D WITH_GZIP=off -D WITH_FFMPEG=off "$@")
 if command -v ccache >/dev/null; then
   # the same objects serve any build folder in the cache, whatever its absolute path
