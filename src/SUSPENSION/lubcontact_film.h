@@ -37,25 +37,17 @@ inline double squeeze_coeff(double viscosity)
   return 1.5 * PI * viscosity;
 }
 
-// ln(2 + u), by its series in u/(4 + u) where that is short.
-inline double log_two_plus(double u)
-{
-  if (!(u >= 0.0 && u < 0.5)) return std::log(2.0 + u);
-  const double s = u / (4.0 + u);
-  return 0.69314718055994531 + 2.0 * s * polynomial(ARTANH_SERIES, s * s);
-}
-
 // Shear over pi eta a:  [ (2+u) ln((2+u)/u) - 2 ] / 2.
 inline double shear_shape(double u, double ln_u)
 {
-  return 0.5 * (2.0 + u) * (log_two_plus(u) - ln_u) - 1.0;
+  return 0.5 * (2.0 + u) * (logarithm(2.0 + u) - ln_u) - 1.0;
 }
 
 // Rolling over pi eta a^3:  (c + (63/125) u) ln(1/u), c = 3/5. Zero beyond u = 1, where the
 // logarithm changes sign and the torque would pump energy.
 inline double roll_shape(double coeff, double u, double ln_u)
 {
-  return ln_u < 0.0 ? -(coeff + 0.504 * u) * ln_u : 0.0;
+  return (coeff + 0.504 * u) * larger(0.0, -ln_u);
 }
 
 // Force/velocity resisting the relative tangential velocity of the surfaces.

@@ -25,7 +25,7 @@ struct Gap {
   double ln_u;
 };
 
-// phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s).
+// phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s), |z| < 700.
 struct ExponentialMean {
   double phi;
   double mean_s2;
@@ -40,17 +40,17 @@ static constexpr double PHI_SERIES[12] = {
 static constexpr double PSI_SERIES[9] = {1.0 / 3,   1.0 / 4,    1.0 / 10,    1.0 / 36,    1.0 / 168,
                                          1.0 / 960, 1.0 / 6480, 1.0 / 50400, 1.0 / 443520};
 
-static constexpr double EXP_SERIES[6] = {1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120};
+static constexpr double SHORT_EXP_SERIES[6] = {1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120};
 
 inline ExponentialMean exponential_mean(double z)
 {
-  if (std::fabs(z) < 0.3) {    // Taylor series, to rounding; the mean to 1e-11
-    const double phi = polynomial(PHI_SERIES, -z), psi = polynomial(PSI_SERIES, -z);
-    return {phi, psi / phi, 1.0 - z * phi};
-  }
-  const double e = std::exp(-z), lost = 1.0 - e;
-  const double inverse = 1.0 / (z * z * lost);    // one division for both
-  return {z * lost * lost * inverse, (2.0 - e * (z * z + 2.0 * z + 2.0)) * inverse, e};
+  const bool series = std::fabs(z) < 0.3;    // to rounding; the mean to 1e-11
+  const double e = exponential(-z), lost = 1.0 - e;
+  const double phi = polynomial(PHI_SERIES, -z), psi = polynomial(PSI_SERIES, -z);
+  const double inverse = 1.0 / (series ? phi : z * z * lost);    // one division for all
+  const double closed = z * lost * lost * inverse;
+  return {series ? phi : closed, inverse * (series ? psi : 2.0 - e * (z * z + 2.0 * z + 2.0)),
+          series ? 1.0 - z * phi : e};
 }
 
 // ln phi(z) instead of phi(z), for any z.
@@ -68,15 +68,6 @@ inline ExponentialMean log_exponential_mean(double z)
 inline double log_add_exp(double a, double b)
 {
   return std::fmax(a, b) + std::log1p(std::exp(-std::fabs(a - b)));
-}
-
-// ln(ratio), without a call near 1, where a usual step is.
-inline double log_ratio(double ratio)
-{
-  const double q = ratio - 1.0;
-  if (!(std::fabs(q) < 0.05)) return std::log(ratio);
-  const double s = q / (2.0 + q);    // 2 artanh(s)
-  return 2.0 * s * polynomial(ARTANH_SERIES, s * s);
 }
 
 // ln( exp(x^2) erfc(x) ) for x >= 0.
@@ -113,20 +104,28 @@ inline double gap_exponential_any(double y0, double r0, double r1, double A, dou
 }
 
 // The same where nothing can overflow, which is the usual case: u0/u1 = exp(-x) + A h I u0.
-inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, double h)
+// Branch-free; the result is void if usual becomes false.
+inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A, double h,
+                                 bool &usual)
 {
   const double x = 0.5 * h * (r0 + r1);
   const double D = 0.5 * h * (r1 - r0);
-  if (!(std::fabs(x) < 30.0 && std::fabs(D) < 1e-2 && std::fabs(old.ln_u) < 300.0)) {
-    const double y1 = gap_exponential_any(old.ln_u, r0, r1, A, h);
-    return {std::exp(y1), y1};
-  }
+  usual = usual & (std::fabs(x) < 30.0) & (std::fabs(D) < 1e-2) & (std::fabs(old.ln_u) < 300.0);
   const ExponentialMean m = exponential_mean(x + D);
   const double q = D * m.mean_s2;
   const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 4e-10 at |q| < 1e-2
-  const double exp_D = polynomial(EXP_SERIES, D);
+  const double exp_D = polynomial(SHORT_EXP_SERIES, D);
   const double ratio = m.exp_minus_z * exp_D + A * h * m.phi * exp_q * old.u;
-  return {old.u / ratio, old.ln_u - log_ratio(ratio)};
+  return {old.u / ratio, old.ln_u - logarithm(ratio)};
+}
+
+inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, double h)
+{
+  bool usual = true;
+  const Gap gap = gap_exponential_usual(old, r0, r1, A, h, usual);
+  if (usual) return gap;
+  const double y1 = gap_exponential_any(old.ln_u, r0, r1, A, h);
+  return {std::exp(y1), y1};
 }
 
 // One step of backward Euler (Chevremont's eq. 18), rationalised so that nothing cancels.
@@ -208,16 +207,36 @@ inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double u
   return end;
 }
 
+// Contact during a step? On the border the surfaces decide: they approach if un < eps.
+inline bool in_contact(const GapLaw &law, double ln_u, double un0, double un1)
+{
+  return (ln_u < law.ln_eps) | ((ln_u == law.ln_eps) & (un0 + un1 < 2.0 * law.eps));
+}
+
+inline bool crosses(const GapLaw &law, bool contact, double end)
+{
+  return (contact & (end > law.ln_eps)) | (!contact & (end < law.ln_eps));
+}
+
 // Step with the transitions between contact and no contact resolved inside it.
 inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0, double un1, double h)
 {
-  // on the border the surfaces decide: they approach if un < eps
-  const bool contact = old.ln_u < law.ln_eps ||
-      (old.ln_u == law.ln_eps && un0 + un1 < 2.0 * law.eps);
+  const bool contact = in_contact(law, old.ln_u, un0, un1);
   const Gap end = gap_branch(law, contact, old, un0, un1, h);
-  // without a branch on contact, which is as good as random
-  if ((contact & (end.ln_u > law.ln_eps)) | (!contact & (end.ln_u < law.ln_eps)))
-    return gap_cross(law, contact, old, end, un0, un1, h);
+  if (crosses(law, contact, end.ln_u)) return gap_cross(law, contact, old, end, un0, un1, h);
+  return end;
+}
+
+// A step in one branch of the law where nothing can overflow. Branch-free; the result is void if
+// usual becomes false.
+inline Gap gap_step_usual(const GapLaw &law, const Gap &old, double un0, double un1, double h,
+                          bool &usual)
+{
+  const bool contact = in_contact(law, old.ln_u, un0, un1);
+  const double A = contact ? 1.0 + law.alpha : 1.0;
+  const double add = contact ? law.alpha * law.eps : 0.0;
+  const Gap end = gap_exponential_usual(old, un0 + add, un1 + add, A, h, usual);
+  usual = usual & !crosses(law, contact, end.ln_u) & !law.euler;
   return end;
 }
 
@@ -225,6 +244,10 @@ inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0, double un1, 
 // Where the surfaces move far in a film that relaxes fast the step is cut: 2 D <= 1 in each piece.
 inline Gap gap_step(const GapLaw &law, const Gap &old, double un0, double un1, double h)
 {
+  bool usual = true;
+  const Gap end = gap_step_usual(law, old, un0, un1, h, usual);
+  if (usual) return end;
+
   static constexpr int MAX_PIECES = 16;    // beyond, the film is quasi-static within a piece
   const double D = 0.5 * h * std::fabs(un1 - un0);
   if (D <= 0.5 || law.euler) return gap_piece(law, old, un0, un1, h);

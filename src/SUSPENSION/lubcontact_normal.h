@@ -28,7 +28,8 @@ static constexpr double THINNEST = 1e-8;    // over a
 // dry contact, and of every pair if squeeze is off.
 inline double elastic_gap(const GapLaw &law, double un)
 {
-  const double u = un < law.eps ? (un + law.alpha * law.eps) / (1.0 + law.alpha) : un;
+  const double pressed = (un + law.alpha * law.eps) / (1.0 + law.alpha);
+  const double u = un < law.eps ? pressed : un;
   return u > 0.0 ? u : THINNEST;
 }
 
@@ -38,7 +39,7 @@ inline double elastic_gap(const GapLaw &law, double un)
 inline double film_steps(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0,
                          double un1, double dt)
 {
-  const double h = dt * c.g / (squeeze_coeff(f.viscosity) * a);
+  const double h = dt / squeeze_coeff(f.viscosity) * (c.g * (1.0 / a));    // 1/a is at hand
   if (f.shift == 0.0) return h;
 
   const bool contact = old.ln_u < c.gap.ln_eps;
@@ -57,7 +58,15 @@ inline bool is_dry(const NormalCoeffs &c, const Film &f, double a, double dt)
   return f.viscosity * 1e12 * a <= dt * c.g;
 }
 
-// Gap after a step; un in units of a.
+// Gap after a step as nearly all are: branch-free, void if usual becomes false; un in units of a.
+inline Gap next_gap_usual(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
+                          double un0, double un1, double dt, bool &usual)
+{
+  usual = usual & !is_dry(c, f, a, dt);
+  return gap_step_usual(c.gap, old, un0, un1, film_steps(c, f, a, old, un0, un1, dt), usual);
+}
+
+// The same for any step.
 inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0,
                     double un1, double dt)
 {
@@ -74,9 +83,10 @@ inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, doub
 {
   const double total = c.g * (u - un);
   // at a gap u is un to rounding only: that is no contact
-  if (!film) return {un < c.gap.eps * a || un < 0.0 ? larger(0.0, total) : 0.0, 0.0};
+  const bool touch = (un < c.gap.eps * a) | (un < 0.0);
+  const double dry = touch ? larger(0.0, total) : 0.0;
   const double contact = c.asperity * larger(0.0, c.gap.eps * a - u);
-  return {contact, total - contact};
+  return {film ? contact : dry, film ? total - contact : 0.0};
 }
 
 // Elastic energy of bulk and asperities.

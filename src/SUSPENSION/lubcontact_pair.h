@@ -66,10 +66,12 @@ inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *ne
   if constexpr (E::surface_history) next[E::SURFACE_SLOT] = g.un;
 }
 
-// History after a step of length dt that ended at the geometry g. old and next may be the same.
-template <class E>
-inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry &g, const Body &i,
-                         const Body &j, double dt, const double *old, double *next)
+// History after a step of length dt that ended at the geometry g, next_gap(old, un0, un1) giving the
+// gap. old and next may be the same.
+template <class E, class NextGap>
+inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
+                         const PairGeometry &g, const Body &i, const Body &j, double dt,
+                         const double *old, double *next)
 {
   if constexpr (!E::surface_history) return;
 
@@ -78,15 +80,15 @@ inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry 
   Gap before{}, after{};
   if constexpr (E::gap_history) {
     before = {old[E::GAP_SLOT], old[E::GAP_SLOT + 1]};
-    after = next_gap(c.normal, f, g.a, before, gap_old, g.gap, dt);
+    after = next_gap(before, gap_old, g.gap);
     next[E::GAP_SLOT] = after.u;
     next[E::GAP_SLOT + 1] = after.ln_u;
   } else if constexpr (E::reads_gap) {
     before.u = elastic_gap(c.normal.gap, gap_old);
     after.u = elastic_gap(c.normal.gap, g.gap);
     if constexpr (E::films) {    // friction alone needs no logarithm
-      before.ln_u = std::log(before.u);
-      after.ln_u = std::log(after.u);
+      before.ln_u = logarithm(larger(1e-300, before.u));
+      after.ln_u = logarithm(larger(1e-300, after.u));
     }
   }
   next[E::SURFACE_SLOT] = g.un;
@@ -118,6 +120,30 @@ inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry 
       next[E::TWIST_SLOT] = next_twist(old[E::TWIST_SLOT], m.twist, film, kr * dt);
     }
   }
+}
+
+template <class E>
+inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry &g, const Body &i,
+                         const Body &j, double dt, const double *old, double *next)
+{
+  auto gap = [&](const Gap &before, double un0, double un1) {
+    return next_gap(c.normal, f, g.a, before, un0, un1, dt);
+  };
+  step_history<E>(gap, c, f, g, i, j, dt, old, next);
+}
+
+// The same without a branch, for a loop over pairs: false, and next void, if the step is not usual.
+template <class E>
+inline bool next_history_usual(const PairCoeffs &c, const Film &f, const PairGeometry &g,
+                               const Body &i, const Body &j, double dt, const double *old,
+                               double *next)
+{
+  bool usual = true;
+  auto gap = [&](const Gap &before, double un0, double un1) {
+    return next_gap_usual(c.normal, f, g.a, before, un0, un1, dt, usual);
+  };
+  step_history<E>(gap, c, f, g, i, j, dt, old, next);
+  return usual;
 }
 
 // Forces and torques at the geometry g, from the history of that moment.

@@ -22,27 +22,20 @@ enum class ContactState { NONE, STICK, SLIP };
 inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone, double resistance,
                        double stiffness_dt)
 {
-  if (!(cone > 0.0)) {
-    const Relaxation f = relaxation(resistance, stiffness_dt);
-    return f.keep * q0 + f.gain * slip;
-  }
-
   const Vec3 trial = q0 + slip;
-  const double far = norm(trial);
-  if (far <= cone) return trial;    // stick: the film carries nothing
+  const double far = norm(trial), near = norm(q0);
 
-  // slip along the trial direction; if it began inside the cone it sticks until the border
-  const double near = norm(q0);
-  double size;
-  if (near < cone) {
-    // slips for the share (far - cone)/(far - near) of the step; only stiffness dt/resistance counts
-    const Relaxation f = relaxation(resistance * (far - near), stiffness_dt * (far - cone));
-    size = cone + f.gain * (far - cone);
-  } else {
-    const Relaxation f = relaxation(resistance, stiffness_dt);
-    size = larger(cone, cone + f.keep * (near - cone) + f.gain * (far - near));
-  }
-  return (size / far) * trial;
+  // a slip that begins inside the cone sticks until the border and slips for the share
+  // (far - cone)/(far - near) of the step; only stiffness dt/resistance counts
+  const bool inside = near < cone;
+  const Relaxation f = relaxation(resistance * (inside ? far - near : 1.0),
+                                  stiffness_dt * (inside ? far - cone : 1.0));
+  // slip along the trial direction
+  const double left = larger(0.0, f.keep * (near - cone) + f.gain * (far - near));
+  const double size = cone + (inside ? f.gain * (far - cone) : left);
+  const double ratio = size / far;
+  const Vec3 rubbed = (far <= cone ? 1.0 : ratio) * trial;    // stick: the film carries nothing
+  return select(cone > 0.0, rubbed, f.keep * q0 + f.gain * slip);
 }
 
 // State and share of the friction in the tangential force, from the elastic displacement alone.

@@ -21,6 +21,12 @@ inline double larger(double a, double b)
   return a > b ? a : b;
 }
 
+// Branch-free choice.
+inline Vec3 select(bool first, const Vec3 &a, const Vec3 &b)
+{
+  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
+
 inline double dot(const Vec3 &a, const Vec3 &b)
 {
   return a.x * b.x + a.y * b.y + a.z * b.z;

@@ -118,158 +118,6 @@ void PairLubcontact::compute(int eflag, int vflag)
   (this->*eval)();
 }
 
-/* ----------------------------------------------------------------------
-   the loop: fetch, call, add, tally
-------------------------------------------------------------------------- */
-
-// All inlined: the functions of the kernel are long, but each is called once.
-
-template <unsigned MASK> [[gnu::flatten]] void PairLubcontact::eval_effects()
-{
-  using E = lubcontact::Effects<MASK>;
-  constexpr int SIZE = E::HISTORY_SIZE;
-  constexpr bool TORQUE = E::turns || E::twist;
-  const bool advance = !update->setupflag;      // a set-up sees the history of the last step
-  const bool guard = update->whichflag != 2;    // a minimization may separate anything
-  const bool newton = force->newton_pair;
-  const bool tally = evflag || partition_now;
-  const int nlocal = atom->nlocal;
-  const double dt = update->dt;
-  const lubcontact::Film fluid = *film;
-  const auto rule = static_cast<lubcontact::Radius>(radius_rule);
-  const int *type = atom->type;
-  const double *radius = atom->radius;
-  const double *const *x = atom->x, *const *v = atom->v, *const *omega = atom->omega;
-  double **f = atom->f, **torque = atom->torque;
-
-  auto vector = [](const double *a) {
-    return Vec3{a[0], a[1], a[2]};
-  };
-  auto add = [](const Vec3 &a, double *sum) {
-    sum[0] += a.x;
-    sum[1] += a.y;
-    sum[2] += a.z;
-  };
-
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    const int *jlist = list->firstneigh[i];
-    const int jnum = list->numneigh[i];
-    int *known = SIZE ? fix_history->firstflag[i] : nullptr;
-    double *histories = SIZE ? fix_history->firstvalue[i] : nullptr;
-    const Body body_i{vector(x[i]), vector(v[i]), vector(omega[i]), radius[i]};
-    const PairCoeffs *coeffs_i = coeffs[type[i]];
-    const double *reach_i = reach[type[i]];
-    Vec3 force_on, torque_on;
-
-    for (int jj = 0; jj < jnum; jj++) {
-      const int j = jlist[jj] & NEIGHMASK;
-      if (force->special_lj[sbmask(jlist[jj])] == 0.0) continue;
-
-      // a is at most the mean radius: most pairs out of range need no division
-      const int jtype = type[j];
-      const double radsum = body_i.radius + radius[j];
-      const double most = radsum * (1.0 + 0.5 * reach_i[jtype]);
-      const Vec3 d = body_i.x - vector(x[j]);
-      if (dot(d, d) >= most * most) {
-        if (SIZE) known[jj] = 0;
-        continue;
-      }
-      const Body body_j{vector(x[j]), vector(v[j]), vector(omega[j]), radius[j]};
-      const double a = lubcontact::effective_radius(rule, body_i.radius, body_j.radius);
-      const PairGeometry geometry =
-          lubcontact::pair_geometry(body_i.x, body_j.x, body_i.radius, body_j.radius, a);
-      if (geometry.un >= reach_i[jtype] * a) {
-        if (SIZE) known[jj] = 0;
-        continue;
-      }
-      if (!(geometry.un > -a) && guard) overlap_error(i, j, geometry.un / a);
-
-      const PairCoeffs &c = coeffs_i[jtype];
-      double *history = SIZE ? histories + SIZE * jj : nullptr;
-      if (SIZE) {
-        if (!known[jj]) {
-          lubcontact::first_history<E>(c, geometry, history);
-          known[jj] = 1;
-        } else if (advance) {
-          lubcontact::next_history<E>(c, fluid, geometry, body_i, body_j, dt, history, history);
-        }
-      }
-
-      const Load load = lubcontact::pair_load<E>(c, fluid, geometry, history);
-      const Vec3 force_i = lubcontact::force_on_i(load, geometry);
-      force_on = force_on + force_i;
-      if (TORQUE) torque_on = torque_on + lubcontact::torque_on_i(load, geometry);
-      if (newton || j < nlocal) {
-        add(-1.0 * force_i, f[j]);
-        if (TORQUE) add(lubcontact::torque_on_j(load, geometry), torque[j]);
-      }
-      if (tally) tally_pair<E>(i, j, c, geometry, load);
-    }
-    add(force_on, f[i]);
-    if (TORQUE) add(torque_on, torque[i]);
-  }
-}
-
-/* ----------------------------------------------------------------------
-   energy, virial and stress by origin, in the steps that need them
-------------------------------------------------------------------------- */
-
-template <class E>
-[[gnu::noinline]] void PairLubcontact::tally_pair(int i, int j, const PairCoeffs &c,
-                                                  const PairGeometry &geometry, const Load &load)
-{
-  if (evflag) {
-    const double energy = eflag_either ? lubcontact::pair_energy<E>(c, geometry, load) : 0.0;
-    const Vec3 force_i = lubcontact::force_on_i(load, geometry), d = geometry.r * geometry.n;
-    ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, force_i.x, force_i.y,
-                 force_i.z, d.x, d.y, d.z);
-  }
-  // a pair across ranks is seen twice without newton: half from each
-  if (partition_now)
-    tally_partition(force->newton_pair || j < atom->nlocal ? 1.0 : 0.5, geometry, load);
-}
-
-/* ----------------------------------------------------------------------
-   sum of r_a F_b by origin
-------------------------------------------------------------------------- */
-
-void PairLubcontact::tally_partition(double weight, const PairGeometry &geometry, const Load &load)
-{
-  using namespace lubcontact;
-  const ShearSplit parts = split(load);
-  Vec3 force_of[NUM_CHANNELS];
-  force_of[CONTACT_NORMAL] = load.contact * geometry.n;
-  force_of[LUBRICATION_NORMAL] = load.film * geometry.n;
-  force_of[CONTACT_TANGENTIAL] = parts.contact * load.shear;
-  force_of[LUBRICATION_TANGENTIAL] = (1.0 - parts.contact) * load.shear;
-
-  const Vec3 d = (weight * geometry.r) * geometry.n;
-  for (int m = 0; m < NUM_CHANNELS; m++) {
-    const Vec3 &f = force_of[m];
-    const double product[NUM_COMPONENTS] = {d.x * f.x, d.y * f.y, d.z * f.z, d.x * f.y, d.x * f.z,
-                                            d.y * f.z, d.y * f.x, d.z * f.x, d.z * f.y};
-    for (int n = 0; n < NUM_COMPONENTS; n++) partition[m][n] += product[n];
-  }
-}
-
-/* ----------------------------------------------------------------------
-   table of all combinations of effects; the style keeps the one it needs
-------------------------------------------------------------------------- */
-
-template <std::size_t... MASK> void PairLubcontact::choose_effects(std::index_sequence<MASK...>)
-{
-  static constexpr Eval evals[] = {&PairLubcontact::eval_effects<MASK>...};
-  static constexpr Single singles[] = {&PairLubcontact::single_effects<MASK>...};
-  static constexpr Exchange exchanges[] = {
-      &lubcontact::exchange_history<lubcontact::Effects<MASK>>...};
-  static constexpr int sizes[] = {lubcontact::Effects<MASK>::HISTORY_SIZE...};
-  eval = evals[mask];
-  eval_single = singles[mask];
-  exchange = exchanges[mask];
-  size_history = sizes[mask];
-}
-
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::init_style()
@@ -281,7 +129,7 @@ void PairLubcontact::init_style()
                "Pair style lubcontact needs velocities of ghost atoms; add: comm_modify vel yes");
   check_variable();
   mask = choose_mask();
-  choose_effects(std::make_index_sequence<lubcontact::NUM_COMBINATIONS>());
+  choose_effects();
 
   if (update->whichflag == 2 && size_history)
     error->all(FLERR,
@@ -352,24 +200,6 @@ const double *PairLubcontact::find_history(int i, int j, double *buffer) const
     }
   }
   return nullptr;
-}
-
-/* ---------------------------------------------------------------------- */
-
-template <unsigned MASK>
-Load PairLubcontact::single_effects(int i, int j, const PairGeometry &geometry, double &energy)
-{
-  using E = lubcontact::Effects<MASK>;
-  const PairCoeffs &c = coeffs[atom->type[i]][atom->type[j]];
-  double buffer[E::HISTORY_SIZE + 1];
-  const double *history = find_history(i, j, buffer);
-  if (!history) {
-    lubcontact::first_history<E>(c, geometry, buffer);
-    history = buffer;
-  }
-  const Load load = lubcontact::pair_load<E>(c, *film, geometry, history);
-  energy = lubcontact::pair_energy<E>(c, geometry, load);
-  return load;
 }
 
 /* ----------------------------------------------------------------------

@@ -102,8 +102,14 @@ class PairLubcontact : public Pair {
   Eval eval;
   Single eval_single;
   Exchange exchange;
+  void choose_effects();
   template <std::size_t... MASK> void choose_effects(std::index_sequence<MASK...>);
+  struct Queue;
   template <unsigned MASK> void eval_effects();
+  template <class E> void fill(Queue &);
+  template <class E>
+  lubcontact::Load step_alone(const Queue &, int, bool, lubcontact::PairGeometry &);
+  template <class E> void flush(Queue &);
   template <unsigned MASK>
   lubcontact::Load single_effects(int, int, const lubcontact::PairGeometry &, double &);
   template <class E>

@@ -45,16 +45,6 @@ TEST(Film, ShearIsThatOfFrankelAndAcrivos)
   EXPECT_NEAR(shear_shape(2.0, std::log(2.0)), 0.3862943611198906, 1e-15);    // 2 ln 2 - 1
 }
 
-TEST(Film, LogarithmOfTwoPlusAgreesWithLongDouble)
-{
-  Random rnd(1);
-  for (int trial = 0; trial < 20000; trial++) {
-    const double u = trial % 2 ? rnd.uniform(0.0, 0.6) : rnd.log_uniform(1e-300, 1e10);
-    const double exact = static_cast<double>(std::log(2.0L + u));
-    EXPECT_NEAR(log_two_plus(u) / exact, 1.0, 5e-16) << "u = " << u;
-  }
-}
-
 TEST(Film, RollAndTwistAgreeWithHandComputedValues)
 {
   // u = 0.1, ln(1/u) = 2.302585092994046; over pi eta a^3

@@ -338,17 +338,6 @@ TEST(GapStep, GapAndLogarithmDoNotDriftApartInAMillionSteps)
   }
 }
 
-TEST(LogRatio, AgreesWithLongDoubleOnBothSidesOfTheSeries)
-{
-  Random rnd(11);
-  for (int trial = 0; trial < 20000; trial++) {
-    const double q = trial % 2 ? rnd.uniform(-0.06, 0.06) : rnd.uniform(-0.999, 5.0);
-    const double ratio = 1.0 + q;
-    const double exact = static_cast<double>(std::log(static_cast<long double>(ratio)));
-    EXPECT_NEAR(log_ratio(ratio), exact, 3e-16 * (1.0 + std::fabs(exact))) << "q = " << q;
-  }
-}
-
 TEST(GapStep, GrowsWithTheGapBefore)
 {
   Random rnd(7);

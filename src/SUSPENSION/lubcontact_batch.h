@@ -1,0 +1,77 @@
+// A step of several pairs at once: the functions of lubcontact_pair.h in a loop that the compiler
+// turns into vector instructions. Structure of arrays, one lane per pair.
+
+#ifndef LUBCONTACT_BATCH_H
+#define LUBCONTACT_BATCH_H
+
+#include "lubcontact_pair.h"
+
+namespace lubcontact {
+
+struct Batch {
+  static constexpr int WIDTH = 8;    // one vector of AVX-512
+  static constexpr int HISTORY = Effects<NUM_COMBINATIONS - 1>::HISTORY_SIZE;
+  using Lanes = double[WIDTH];
+
+  // in: i as seen from j, which is at rest in the origin
+  Lanes x[3], v[3], omega_i[3], omega_j[3], radius_i, radius_j, a;
+  Lanes g, asperity, alpha, eps, ln_eps, kt, mu;
+  Lanes history[HISTORY];    // in and out
+
+  // out; all void in a lane that is not usual (0)
+  Lanes usual, force[3], torque_i[3], torque_j[3];
+};
+
+inline Vec3 get_lane(const Batch::Lanes *from, int l)
+{
+  return {from[0][l], from[1][l], from[2][l]};
+}
+
+inline void put_lane(const Vec3 &a, Batch::Lanes *to, int l)
+{
+  to[0][l] = a.x;
+  to[1][l] = a.y;
+  to[2][l] = a.z;
+}
+
+template <class E> inline void step_lane(Batch &b, int l, const Film &f, double dt)
+{
+  const Body i{get_lane(b.x, l), get_lane(b.v, l), get_lane(b.omega_i, l), b.radius_i[l]};
+  const Body j{{}, {}, get_lane(b.omega_j, l), b.radius_j[l]};
+  const PairGeometry g = pair_geometry(i.x, j.x, i.radius, j.radius, b.a[l]);
+  const PairCoeffs c{
+      {b.g[l], b.asperity[l], {b.alpha[l], b.eps[l], b.ln_eps[l], false}}, b.kt[l], b.mu[l]};
+  double history[E::HISTORY_SIZE + 1];
+  for (int m = 0; m < E::HISTORY_SIZE; m++) history[m] = b.history[m][l];
+  const bool usual = next_history_usual<E>(c, f, g, i, j, dt, history, history);
+  for (int m = 0; m < E::HISTORY_SIZE; m++) b.history[m][l] = history[m];
+
+  const Load load = pair_load<E>(c, f, g, history);
+  b.usual[l] = usual ? 1.0 : 0.0;
+  put_lane(force_on_i(load, g), b.force, l);
+  if constexpr (E::turns || E::twist) {
+    put_lane(torque_on_i(load, g), b.torque_i, l);
+    put_lane(torque_on_j(load, g), b.torque_j, l);
+  }
+}
+
+// Film by value: no store to the batch can change it.
+template <class E> inline void step_lanes(Batch &b, const Film f, double dt)
+{
+#pragma GCC ivdep
+  for (int l = 0; l < Batch::WIDTH; l++) step_lane<E>(b, l, f, dt);
+}
+
+// Not for backward Euler.
+template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
+{
+  // constants of CUT, which save three divisions
+  if (E::squeeze && f.shift == 0.0)
+    step_lanes<E>(b, {f.viscosity, f.range, 0.0, 0.0, 0.0, 0.0, f.roll_coeff}, dt);
+  else
+    step_lanes<E>(b, f, dt);
+}
+
+}    // namespace lubcontact
+
+#endif
