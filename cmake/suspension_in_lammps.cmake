@@ -4,6 +4,7 @@
 # The other way, as a package of the tree: copy src/SUSPENSION to <lammps>/src/SUSPENSION, add its name to the list
 # STANDARD_PACKAGES, and configure LAMMPS with -D PKG_SUSPENSION=on (ignored silently without the name in the list):
 #   sed -i 's/^  TALLY$/  SUSPENSION\n  TALLY/' <lammps>/cmake/CMakeLists.txt
+# With -march=native or the like add -ffp-contract=off to CMAKE_CXX_FLAGS, or a restart is exact to rounding only.
 
 get_filename_component(SUSPENSION_DIR ${CMAKE_CURRENT_LIST_DIR}/../src/SUSPENSION ABSOLUTE)
 
