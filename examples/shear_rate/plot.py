@@ -62,8 +62,7 @@ def main():
     parser.add_argument("--from", dest="start", type=float, default=None)
     args = parser.parse_args()
     data = read()
-    with open("stress.txt", encoding="ascii") as file:
-        phi = float(file.readline().split()[-1])
+    phi = float(Path("scene.txt").read_text(encoding="ascii").split()[1])
     strain = data[:, 0]
     start = args.start if args.start is not None else 0.25 * strain[-1]
     steady = data[strain >= start]
