@@ -1,7 +1,7 @@
 // Time of the physics of one pair and one time step, without LAMMPS: next_history(), pair_load(),
 // force and torques, for everything, everything but one effect, and nothing but dry contact.
 
-#include "lubcontact_pair.h"
+#include "lubcontact_batch.h"
 
 #include <benchmark/benchmark.h>
 
@@ -67,30 +67,55 @@ class Pairs {
   std::mt19937_64 random;
 };
 
-// One time step of all pairs: a function of its own, so that a profiler counts it, with all inlined.
+// One time step of all pairs, eight together as in the pair style.
 template <unsigned MASK>
-[[gnu::noinline, gnu::flatten]] Vec3 one_step(const std::vector<Oscillator> &pairs, int step,
-                                              double *histories)
+[[gnu::noinline]] Vec3 one_step(const std::vector<Oscillator> &pairs, int step, double *histories)
 {
   using E = Effects<MASK>;
   const double phase = 2.0 * PI / STEPS_PER_CYCLE;
   const double shift = std::sin(phase * step);
   const double rate = (shift - std::sin(phase * (step - 1))) / TIME_STEP;
   Vec3 sum;
-  for (const Oscillator &p : pairs) {
-    const Body i{p.mean_i + shift * p.move_i, rate * p.move_i, rate * p.rotate_i, p.radius_i};
-    const Body j{p.mean_j + shift * p.move_j, rate * p.move_j, rate * p.rotate_j, p.radius_j};
-    const PairGeometry geometry = pair_geometry(
-        i.x, j.x, i.radius, j.radius, effective_radius(Radius::HARMONIC, i.radius, j.radius));
-    if (step == 0)
-      first_history<E>(COEFFS, geometry, histories);
-    else
-      next_history<E>(COEFFS, FILM, geometry, i, j, TIME_STEP, histories, histories);
-    const Load load = pair_load<E>(COEFFS, FILM, geometry, histories);
-    sum = sum + force_on_i(load, geometry);
-    if constexpr (E::turns || E::twist)
-      sum = sum + torque_on_i(load, geometry) + torque_on_j(load, geometry);
-    histories += E::HISTORY_SIZE;
+  Batch b{};
+  for (int first = 0; first < NUM_PAIRS; first += Batch::WIDTH) {
+    double *of_batch = histories + first * E::HISTORY_SIZE;
+    for (int l = 0; l < Batch::WIDTH; l++) {
+      const Oscillator &p = pairs[static_cast<std::size_t>(first + l)];
+      put_lane(p.mean_i + shift * p.move_i - (p.mean_j + shift * p.move_j), b.x, l);
+      put_lane(rate * (p.move_i - p.move_j), b.v, l);
+      put_lane(rate * p.rotate_i, b.omega_i, l);
+      put_lane(rate * p.rotate_j, b.omega_j, l);
+      b.radius_i[l] = p.radius_i;
+      b.radius_j[l] = p.radius_j;
+      b.a[l] = effective_radius(Radius::HARMONIC, p.radius_i, p.radius_j);
+      b.g[l] = COEFFS.normal.g;
+      b.asperity[l] = COEFFS.normal.asperity;
+      b.alpha[l] = COEFFS.normal.gap.alpha;
+      b.eps[l] = COEFFS.normal.gap.eps;
+      b.ln_eps[l] = COEFFS.normal.gap.ln_eps;
+      b.kt[l] = COEFFS.kt;
+      b.mu[l] = COEFFS.mu;
+      for (int m = 0; m < E::HISTORY_SIZE; m++) b.history[m][l] = of_batch[E::HISTORY_SIZE * l + m];
+    }
+    step_together<E>(b, FILM, TIME_STEP);
+    for (int l = 0; l < Batch::WIDTH; l++) {
+      double *history = of_batch + E::HISTORY_SIZE * l;
+      if (step > 0 && b.usual[l] != 0.0) {
+        for (int m = 0; m < E::HISTORY_SIZE; m++) history[m] = b.history[m][l];
+        sum = sum + get_lane(b.force, l);
+        if constexpr (E::turns || E::twist)
+          sum = sum + get_lane(b.torque_i, l) + get_lane(b.torque_j, l);
+        continue;
+      }
+      const Body i{get_lane(b.x, l), get_lane(b.v, l), get_lane(b.omega_i, l), b.radius_i[l]};
+      const Body j{{}, {}, get_lane(b.omega_j, l), b.radius_j[l]};
+      const PairGeometry geometry = pair_geometry(i.x, j.x, i.radius, j.radius, b.a[l]);
+      if (step == 0)
+        first_history<E>(COEFFS, geometry, history);
+      else
+        next_history<E>(COEFFS, FILM, geometry, i, j, TIME_STEP, history, history);
+      sum = sum + force_on_i(pair_load<E>(COEFFS, FILM, geometry, history), geometry);
+    }
   }
   return sum;
 }

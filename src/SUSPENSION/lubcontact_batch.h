@@ -72,6 +72,23 @@ template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
     step_lanes<E>(b, f, dt);
 }
 
+// One binary for all processors: the vectors are as wide as the processor that runs it has them. Only
+// where our CMake files say that nothing is fused, so that all give the same bits.
+#if defined(SUSPENSION_UNFUSED) && defined(__x86_64__) && defined(__GLIBC__) && \
+    defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && !defined(__AVX2__)
+#define LUBCONTACT_EACH_PROCESSOR \
+  gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"),
+#else
+#define LUBCONTACT_EACH_PROCESSOR
+#endif
+
+template <class E>
+[[LUBCONTACT_EACH_PROCESSOR gnu::flatten, gnu::noinline]] static void
+step_together(Batch &batch, const Film &film, double dt)
+{
+  step_batch<E>(batch, film, dt);
+}
+
 }    // namespace lubcontact
 
 #endif

@@ -26,22 +26,6 @@ using lubcontact::PairCoeffs;
 using lubcontact::PairGeometry;
 using lubcontact::Vec3;
 
-// One plugin for all processors: the vectors are as wide as the processor that runs it has them. Only
-// if our CMake files say that nothing is fused, so that all give the same bits.
-#if defined(SUSPENSION_UNFUSED) && defined(__x86_64__) && defined(__GLIBC__) && \
-    defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && !defined(__AVX2__)
-#define FOR_EACH_PROCESSOR gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"),
-#else
-#define FOR_EACH_PROCESSOR
-#endif
-
-template <class E>
-[[FOR_EACH_PROCESSOR gnu::flatten, gnu::noinline]] static void
-step_together(Batch &batch, const lubcontact::Film &film, double dt)
-{
-  lubcontact::step_batch<E>(batch, film, dt);
-}
-
 static Vec3 vector(const double *a)
 {
   return {a[0], a[1], a[2]};
@@ -204,7 +188,7 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
   double **f = atom->f, **torque = atom->torque;
   if (together) {
     fill<E>(queue);
-    step_together<E>(queue.batch, *film, update->dt);
+    lubcontact::step_together<E>(queue.batch, *film, update->dt);
   }
 
   for (int l = 0; l < queue.n; l++) {
