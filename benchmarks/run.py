@@ -194,7 +194,7 @@ def draw(rows, file):
     axes.invert_yaxis()
     axes.set_xlim(0, 1.1 * max(left))
     axes.set_xlabel("CPU time per particle and step (ns)")
-    axes.legend(frameon=False, loc="lower right")
+    axes.legend(frameon=False, loc="upper right")
     axes.spines[["top", "right"]].set_visible(False)
     figure.savefig(file, dpi=120)
 

@@ -89,7 +89,7 @@ def main():
         fig, axes = plt.subplots(1, 2, figsize=(11, 4.3), width_ratios=[1, 1.25])
         axes[0].imshow(image[20:-20, 60:-60])
         axes[0].set_axis_off()
-        axes[0].set_title("color: velocity along the flow", fontsize=9)
+        axes[0].set_title("color: velocity along the flow", fontsize=9, y=-0.08)
         draw_parts(axes[1], data, start)
         fig.tight_layout()
         fig.savefig("overview.png", dpi=120)
