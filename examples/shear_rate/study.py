@@ -1,7 +1,7 @@
 """What moves the viscosity: one knob at a time around a base case, with error bars.
 
 usage: tools/python.sh study.py [--strain 6] [--particles 500] [--jobs 2]
-Runs in.shear_rate for each case (about 40 runs; ten minutes on two cores), appends to study.csv, skips the cases it
+Runs in.shear_rate for each case (about 40 runs), appends to study.csv, skips the cases it
 already holds, and draws study.png.
 """
 import argparse

@@ -28,7 +28,6 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using lubcontact::Body;
 using lubcontact::Load;
 using lubcontact::PairCoeffs;
 using lubcontact::PairGeometry;

@@ -117,7 +117,6 @@ class PairLubcontact : public Pair {
                   const lubcontact::Load &);
 
   void allocate();
-  void parse_coeff(int, char **, int, double *);
   void find_max_radius();
   void check_radii() const;
   void check_variable();
