@@ -11,6 +11,7 @@
 // Entry point of the plugin: LAMMPS calls lammpsplugin_init() when it loads suspensionplugin.so.
 
 #include "compute_stress_partition.h"
+#include "compute_stress_partition_atom.h"
 #include "fix_drag_background.h"
 #include "fix_neigh_history_lubcontact.h"
 #include "pair_lubcontact.h"
@@ -78,6 +79,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
 
   pair("lubcontact", &create<Pair, PairLubcontact>);
   with_args("compute", "stress/partition", &create_with_args<Compute, ComputeStressPartition>);
+  with_args("compute", "stress/partition/atom",
+            &create_with_args<Compute, ComputeStressPartitionAtom>);
   with_args("fix", "NEIGH_HISTORY/LUBCONTACT", &create_with_args<Fix, FixNeighHistoryLubcontact>);
   with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
 }

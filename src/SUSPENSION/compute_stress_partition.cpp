@@ -55,17 +55,28 @@ ComputeStressPartition::~ComputeStressPartition()
 
 void ComputeStressPartition::init()
 {
-  pairs.clear();
-  if (force->pair_match("^lubcontact", 0)) {
-    pairs.push_back(dynamic_cast<PairLubcontact *>(force->pair_match("^lubcontact", 0)));
+  pairs = find_pairs(lmp, style);
+}
+
+/* ----------------------------------------------------------------------
+   the pair style, or every sub-style of its kind
+------------------------------------------------------------------------- */
+
+std::vector<PairLubcontact *> ComputeStressPartition::find_pairs(LAMMPS *lmp, const char *style)
+{
+  Force *force = lmp->force;
+  std::vector<PairLubcontact *> found;
+  if (Pair *only = force->pair_match("^lubcontact", 0)) {
+    found.push_back(dynamic_cast<PairLubcontact *>(only));
   } else {    // several under hybrid
     for (int nsub = 1; Pair *pair = force->pair_match("^lubcontact", 0, nsub); nsub++)
-      pairs.push_back(dynamic_cast<PairLubcontact *>(pair));
+      found.push_back(dynamic_cast<PairLubcontact *>(pair));
   }
-  if (pairs.empty())
-    error->all(FLERR,
-               "Compute stress/partition splits the forces of pair_style lubcontact, which "
-               "is not defined");
+  if (found.empty())
+    lmp->error->all(FLERR,
+                    "Compute {} splits the forces of pair_style lubcontact, which is not defined",
+                    style);
+  return found;
 }
 
 /* ----------------------------------------------------------------------
@@ -86,7 +97,7 @@ void ComputeStressPartition::compute_array()
     for (int m = 0; m < NUM_PARTS; m++)
       for (int n = 0; n < NUM_COMPONENTS; n++) mine[m][n] += pair->partition[m][n];
   }
-  inertial(mine[NUM_PARTS]);
+  for (int i = 0; i < atom->nlocal; i++) add_inertial(lmp, i, mine[NUM_PARTS]);
 
   double volume = domain->xprd * domain->yprd;
   if (domain->dimension == 3) volume *= domain->zprd;
@@ -97,27 +108,27 @@ void ComputeStressPartition::compute_array()
 }
 
 /* ----------------------------------------------------------------------
-   sum of m v' v' with v' relative to the velocity of the deforming cell
+   adds m v'_a v'_b of atom i, with v' relative to the velocity of the deforming cell
 ------------------------------------------------------------------------- */
 
-void ComputeStressPartition::inertial(double *sum) const
+void ComputeStressPartition::add_inertial(LAMMPS *lmp, int i, double *sum)
 {
-  const double *rate = domain->h_rate, *lo_rate = domain->h_ratelo;
-  for (int i = 0; i < atom->nlocal; i++) {
-    double v[3] = {atom->v[i][0], atom->v[i][1], atom->v[i][2]};
-    if (domain->deform_flag) {
-      double lamda[3];
-      domain->x2lamda(atom->x[i], lamda);
-      v[0] -= rate[0] * lamda[0] + rate[5] * lamda[1] + rate[4] * lamda[2] + lo_rate[0];
-      v[1] -= rate[1] * lamda[1] + rate[3] * lamda[2] + lo_rate[1];
-      v[2] -= rate[2] * lamda[2] + lo_rate[2];
-    }
-    const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
-    const double product[NUM_COMPONENTS] = {v[0] * v[0], v[1] * v[1], v[2] * v[2],
-                                            v[0] * v[1], v[0] * v[2], v[1] * v[2],
-                                            v[1] * v[0], v[2] * v[0], v[2] * v[1]};
-    for (int n = 0; n < NUM_COMPONENTS; n++) sum[n] += m * product[n];
+  const Atom *atom = lmp->atom;
+  Domain *domain = lmp->domain;
+  double v[3] = {atom->v[i][0], atom->v[i][1], atom->v[i][2]};
+  if (domain->deform_flag) {
+    const double *rate = domain->h_rate, *lo_rate = domain->h_ratelo;
+    double lamda[3];
+    domain->x2lamda(atom->x[i], lamda);
+    v[0] -= rate[0] * lamda[0] + rate[5] * lamda[1] + rate[4] * lamda[2] + lo_rate[0];
+    v[1] -= rate[1] * lamda[1] + rate[3] * lamda[2] + lo_rate[1];
+    v[2] -= rate[2] * lamda[2] + lo_rate[2];
   }
+  const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+  const double product[NUM_COMPONENTS] = {v[0] * v[0], v[1] * v[1], v[2] * v[2],
+                                          v[0] * v[1], v[0] * v[2], v[1] * v[2],
+                                          v[1] * v[0], v[2] * v[0], v[2] * v[1]};
+  for (int n = 0; n < NUM_COMPONENTS; n++) sum[n] += m * product[n];
 }
 
 /* ---------------------------------------------------------------------- */

@@ -30,9 +30,12 @@ class ComputeStressPartition : public Compute {
   void compute_array() override;
   double memory_usage() override;
 
+  // shared with compute stress/partition/atom
+  static std::vector<class PairLubcontact *> find_pairs(LAMMPS *, const char *);
+  static void add_inertial(LAMMPS *, int, double *);
+
  protected:
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
-  void inertial(double *) const;
 };
 
 }    // namespace LAMMPS_NS

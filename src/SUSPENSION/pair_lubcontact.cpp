@@ -38,11 +38,12 @@ static constexpr int SINGLE_EXTRA = 14;
 /* ---------------------------------------------------------------------- */
 
 PairLubcontact::PairLubcontact(LAMMPS *lmp) :
-    Pair(lmp), partition_step(-1), eta(0.0), eta_name(nullptr), eta_var(-1), hc(0.0), range_rule(0),
-    radius_rule(0), euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr), kt(nullptr),
-    asperity(nullptr), roughness(nullptr), friction(nullptr), coulomb(nullptr), coeffs(nullptr),
-    reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
-    fix_history(nullptr), reported(false), partition_now(false), mask(0), size_history(0),
+    Pair(lmp), partition_step(-1), partition_atom_step(-1), eta(0.0), eta_name(nullptr),
+    eta_var(-1), hc(0.0), range_rule(0), radius_rule(0), euler(0), mode{1, 1, 1, 1},
+    roll_coeff(0.6), g(nullptr), kt(nullptr), asperity(nullptr), roughness(nullptr),
+    friction(nullptr), coulomb(nullptr), coeffs(nullptr), reach(nullptr),
+    film(new lubcontact::Film()), longest(0.0), max_radius(nullptr), fix_history(nullptr),
+    reported(false), partition_now(false), partition_atom_now(false), mask(0), size_history(0),
     eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
@@ -105,16 +106,32 @@ void PairLubcontact::compute(int eflag, int vflag)
   ev_init(eflag, vflag);
   update_viscosity();
   if (neighbor->ago == 0) check_radii();
+  start_partition();
+  (this->*eval)();
+}
 
-  partition_now = false;
-  for (const auto &client : clients)
-    if (client->matchstep(update->ntimestep)) partition_now = true;
+/* ----------------------------------------------------------------------
+   is this step announced for a compute stress/partition?
+------------------------------------------------------------------------- */
+
+void PairLubcontact::start_partition()
+{
+  auto announced = [this](const std::vector<Compute *> &computes) {
+    bool any = false;
+    for (const auto &compute : computes)
+      if (compute->matchstep(update->ntimestep)) any = true;
+    return any;
+  };
+  partition_now = announced(clients);
   if (partition_now) {
     memset(partition, 0, sizeof(partition));
     partition_step = update->ntimestep;
   }
-
-  (this->*eval)();
+  partition_atom_now = announced(atom_clients);
+  if (partition_atom_now) {
+    partition_atom.assign(atom->nlocal + atom->nghost, {});
+    partition_atom_step = update->ntimestep;
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -140,7 +157,8 @@ void PairLubcontact::init_style()
   require_history();
   find_max_radius();
   longest = 0.0;    // init_one() comes next
-  clients = modify->get_compute_by_style("^stress/partition");
+  clients = modify->get_compute_by_style("^stress/partition$");
+  atom_clients = modify->get_compute_by_style("^stress/partition/atom");
 }
 
 /* ----------------------------------------------------------------------
@@ -246,5 +264,6 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
 double PairLubcontact::memory_usage()
 {
   const double n = atom->ntypes + 1.0;
-  return Pair::memory_usage() + n * n * (6 * sizeof(double) + sizeof(int) + sizeof(PairCoeffs));
+  return Pair::memory_usage() + n * n * (6 * sizeof(double) + sizeof(int) + sizeof(PairCoeffs)) +
+      partition_atom.capacity() * sizeof(partition_atom[0]);
 }

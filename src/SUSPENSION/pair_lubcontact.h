@@ -18,6 +18,7 @@ PairStyle(lubcontact,PairLubcontact);
 
 #include "pair.h"
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,6 +63,11 @@ class PairLubcontact : public Pair {
   double partition[NUM_PARTS][NUM_COMPONENTS];    // this rank's share
   bigint partition_step;                          // step it belongs to
 
+  // the same of each particle, for compute stress/partition/atom: half of a pair to either; with
+  // newton the ghosts hold what belongs to their owners
+  std::vector<std::array<double, NUM_PARTS * NUM_COMPONENTS>> partition_atom;
+  bigint partition_atom_step;
+
  protected:
   // settings
   double eta;        // viscosity
@@ -89,8 +95,9 @@ class PairLubcontact : public Pair {
   std::string history_id, dummy_id;
   class FixNeighHistory *fix_history;
   bool reported;    // the table of this run has been printed
-  bool partition_now;
-  std::vector<class Compute *> clients;    // every compute stress/partition
+  bool partition_now, partition_atom_now;
+  std::vector<class Compute *> clients;         // every compute stress/partition
+  std::vector<class Compute *> atom_clients;    // every compute stress/partition/atom
 
   // one instance of the loop per combination of effects
   using Eval = void (PairLubcontact::*)();
@@ -110,6 +117,8 @@ class PairLubcontact : public Pair {
   template <class E>
   lubcontact::Load step_alone(const Queue &, int, bool, lubcontact::PairGeometry &);
   template <class E> void flush(Queue &);
+  void add_virial(Queue &) const;
+  double share(int) const;
   template <unsigned MASK>
   lubcontact::Load single_effects(int, int, const lubcontact::PairGeometry &, double &);
   template <class E>
@@ -125,7 +134,8 @@ class PairLubcontact : public Pair {
   void update_viscosity();
   double effective_radius(double, double) const;
   const double *find_history(int, int, double *) const;
-  void tally_partition(double, const lubcontact::PairGeometry &, const lubcontact::Load &);
+  void start_partition();
+  void tally_partition(int, int, const lubcontact::PairGeometry &, const lubcontact::Load &);
   void write_pair(FILE *, int, int) const;
   void check_box() const;
   double sum_stiffness();

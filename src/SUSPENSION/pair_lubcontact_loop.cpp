@@ -18,6 +18,8 @@
 #include "neighbor.h"
 #include "update.h"
 
+#include <numeric>
+
 using namespace LAMMPS_NS;
 using lubcontact::Batch;
 using lubcontact::Body;
@@ -46,7 +48,8 @@ struct PairLubcontact::Queue {
   int i[Batch::WIDTH], j[Batch::WIDTH];
   const PairCoeffs *coeffs[Batch::WIDTH];
   double *history[Batch::WIDTH];
-  bool first[Batch::WIDTH];    // seen for the first time
+  bool first[Batch::WIDTH];       // seen for the first time
+  Batch::Lanes virial[6] = {};    // xx yy zz xy xz yz of the pairs so far, one sum per lane
 };
 
 /* ----------------------------------------------------------------------
@@ -117,6 +120,10 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
     }
   }
   flush<E>(queue);
+  // instead of what ev_tally_xyz() has summed: the same bits, whatever else this step asks for
+  if (vflag_global)
+    for (int n = 0; n < 6; n++)
+      virial[n] = std::accumulate(queue.virial[n], queue.virial[n] + Batch::WIDTH, 0.0);
 }
 
 /* ----------------------------------------------------------------------
@@ -183,7 +190,7 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
   constexpr bool TORQUE = E::turns || E::twist;
   const bool advance = !update->setupflag;    // a set-up sees the history of the last step
   const bool together = (advance || !E::HISTORY_SIZE) && !(E::gap_history && euler);
-  const bool tally = evflag || partition_now;
+  const bool tally = eflag_either || vflag_atom || partition_now || partition_atom_now;
   const Batch &b = queue.batch;
   double **f = atom->f, **torque = atom->torque;
   if (together) {
@@ -208,6 +215,7 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
       force_i = lubcontact::force_on_i(load, geometry);
       torque_i = lubcontact::torque_on_i(load, geometry);
       torque_j = lubcontact::torque_on_j(load, geometry);
+      put_lane(force_i, queue.batch.force, l);
     }
     add(force_i, f[i]);
     if (TORQUE) add(torque_i, torque[i]);
@@ -217,33 +225,69 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
     }
     if (tally) tally_pair<E>(i, j, *queue.coeffs[l], geometry, load);
   }
+  if (vflag_global) add_virial(queue);
   queue.n = 0;
 }
 
 /* ----------------------------------------------------------------------
-   energy, virial and stress by origin, in the steps that need them
+   a pair with a ghost is seen twice without newton: half of it each time
+------------------------------------------------------------------------- */
+
+inline double PairLubcontact::share(int j) const
+{
+  return force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
+}
+
+/* ----------------------------------------------------------------------
+   virial of the cell: so cheap that a fix may ask for it in every step
+------------------------------------------------------------------------- */
+
+[[LUBCONTACT_EACH_PROCESSOR gnu::noinline]] static void add_products(const Batch &b,
+                                                                     Batch::Lanes *sum)
+{
+#pragma GCC ivdep
+  for (int l = 0; l < Batch::WIDTH; l++) {
+    sum[0][l] += b.x[0][l] * b.force[0][l];
+    sum[1][l] += b.x[1][l] * b.force[1][l];
+    sum[2][l] += b.x[2][l] * b.force[2][l];
+    sum[3][l] += b.x[0][l] * b.force[1][l];
+    sum[4][l] += b.x[0][l] * b.force[2][l];
+    sum[5][l] += b.x[1][l] * b.force[2][l];
+  }
+}
+
+void PairLubcontact::add_virial(Queue &queue) const
+{
+  Batch &b = queue.batch;
+  if (!force->newton_pair)
+    for (int l = 0; l < queue.n; l++)
+      put_lane(share(queue.j[l]) * lubcontact::get_lane(b.force, l), b.force, l);
+  for (int l = queue.n; l < Batch::WIDTH; l++) put_lane(Vec3{}, b.force, l);
+  add_products(b, queue.virial);
+}
+
+/* ----------------------------------------------------------------------
+   energy, virial per atom and stress by origin, in the steps that need them
 ------------------------------------------------------------------------- */
 
 template <class E>
 [[gnu::noinline]] void PairLubcontact::tally_pair(int i, int j, const PairCoeffs &c,
                                                   const PairGeometry &geometry, const Load &load)
 {
-  if (evflag) {
+  if (eflag_either || vflag_atom) {
     const double energy = eflag_either ? lubcontact::pair_energy<E>(c, geometry, load) : 0.0;
     const Vec3 force_i = lubcontact::force_on_i(load, geometry), d = geometry.r * geometry.n;
     ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, force_i.x, force_i.y,
                  force_i.z, d.x, d.y, d.z);
   }
-  // a pair across ranks is seen twice without newton: half from each
-  if (partition_now)
-    tally_partition(force->newton_pair || j < atom->nlocal ? 1.0 : 0.5, geometry, load);
+  if (partition_now || partition_atom_now) tally_partition(i, j, geometry, load);
 }
 
 /* ----------------------------------------------------------------------
-   sum of r_a F_b by origin
+   sum of r_a F_b by origin, of the cell and of each particle: half of a pair to either
 ------------------------------------------------------------------------- */
 
-void PairLubcontact::tally_partition(double weight, const PairGeometry &geometry, const Load &load)
+void PairLubcontact::tally_partition(int i, int j, const PairGeometry &geometry, const Load &load)
 {
   using namespace lubcontact;
   const ShearSplit parts = split(load);
@@ -253,12 +297,19 @@ void PairLubcontact::tally_partition(double weight, const PairGeometry &geometry
   force_of[CONTACT_TANGENTIAL] = parts.contact * load.shear;
   force_of[LUBRICATION_TANGENTIAL] = (1.0 - parts.contact) * load.shear;
 
-  const Vec3 d = (weight * geometry.r) * geometry.n;
+  const double weight = share(j);
+  const Vec3 d = geometry.r * geometry.n;
   for (int m = 0; m < NUM_CHANNELS; m++) {
     const Vec3 &f = force_of[m];
     const double product[NUM_COMPONENTS] = {d.x * f.x, d.y * f.y, d.z * f.z, d.x * f.y, d.x * f.z,
                                             d.y * f.z, d.y * f.x, d.z * f.x, d.z * f.y};
-    for (int n = 0; n < NUM_COMPONENTS; n++) partition[m][n] += product[n];
+    if (partition_now)
+      for (int n = 0; n < NUM_COMPONENTS; n++) partition[m][n] += weight * product[n];
+    if (partition_atom_now)
+      for (int n = 0; n < NUM_COMPONENTS; n++) {
+        partition_atom[i][m * NUM_COMPONENTS + n] += 0.5 * product[n];
+        partition_atom[j][m * NUM_COMPONENTS + n] += 0.5 * product[n];
+      }
   }
 }
 

@@ -17,4 +17,14 @@ for case in ({"dim": 3}, {"dim": 3, "newton": "off"}, {"dim": 2}):
     # central forces have a symmetric stress
     deck.expect_close("contact normal xy = yx", t["c_s[1][7]"], t["c_s[1][4]"], atol=1e-12 * scale)
     deck.expect_close("lubrication normal xy = yx", t["c_s[3][7]"], t["c_s[3][4]"], atol=1e-12 * scale)
+
+    # the short way of a step that asks for the virial alone
+    deck.run("in.virial", all="no", **case)
+    deck.run("in.virial", all="yes", **case)
+    alone, virial, parts = (np.loadtxt(name)[:, 1:] for name in ("virial.no", "virial.yes", "parts"))
+    deck.expect("virial at every output", alone.shape == (21, 6))
+    deck.expect("bit for bit, whatever else the step asks for", np.array_equal(alone, virial),
+                f"largest difference {np.max(np.abs(alone - virial)):.1e}")
+    size = np.max(np.abs(parts), axis=1, keepdims=True)
+    deck.expect_close("virial = sum of the parts", alone / size, -parts / size, atol=1e-12)
 deck.finish()

@@ -1,0 +1,126 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "compute_stress_partition_atom.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "compute_stress_partition.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "pair_lubcontact.h"
+#include "update.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+static constexpr int NUM_COMPONENTS = PairLubcontact::NUM_COMPONENTS;
+static constexpr int PAIR_COLUMNS = PairLubcontact::NUM_PARTS * NUM_COMPONENTS;
+static constexpr int COLUMNS = PAIR_COLUMNS + NUM_COMPONENTS;    // the pair channels, then inertia
+
+/* ---------------------------------------------------------------------- */
+
+ComputeStressPartitionAtom::ComputeStressPartitionAtom(LAMMPS *lmp, int narg, char **arg) :
+    Compute(lmp, narg, arg), nmax(0)
+{
+  if (narg > 3)
+    error->all(FLERR, 3, "Unknown compute stress/partition/atom argument: {}; it takes none",
+               arg[3]);
+
+  peratom_flag = 1;
+  size_peratom_cols = COLUMNS;
+  timeflag = 1;    // the pair style tallies in the steps announced for this compute
+  comm_reverse = PAIR_COLUMNS;
+}
+
+/* ---------------------------------------------------------------------- */
+
+ComputeStressPartitionAtom::~ComputeStressPartitionAtom()
+{
+  memory->destroy(array_atom);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void ComputeStressPartitionAtom::init()
+{
+  pairs = ComputeStressPartition::find_pairs(lmp, style);
+}
+
+/* ----------------------------------------------------------------------
+   volume times Cauchy stress by origin, tension positive: what compute stress/partition sums up
+------------------------------------------------------------------------- */
+
+void ComputeStressPartitionAtom::compute_peratom()
+{
+  invoked_peratom = update->ntimestep;
+
+  if (atom->nmax > nmax) {
+    memory->destroy(array_atom);
+    nmax = atom->nmax;
+    memory->create(array_atom, nmax, COLUMNS, "stress/partition/atom:array");
+  }
+  collect_parts();
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    double *parts = array_atom[i], *inertial = parts + PAIR_COLUMNS;
+    std::fill(inertial, parts + COLUMNS, 0.0);
+    if (!(atom->mask[i] & groupbit)) {
+      std::fill(parts, inertial, 0.0);
+      continue;
+    }
+    ComputeStressPartition::add_inertial(lmp, i, inertial);
+    for (int n = 0; n < PAIR_COLUMNS; n++) parts[n] *= -force->nktv2p;
+    for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] *= -force->nktv2p * force->mvv2e;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   sum of r_a F_b by origin of the owned atoms: their own tally, and that of their ghosts
+------------------------------------------------------------------------- */
+
+void ComputeStressPartitionAtom::collect_parts()
+{
+  const std::size_t nall = atom->nlocal + atom->nghost;
+  for (std::size_t i = 0; i < nall; i++) std::fill_n(array_atom[i], PAIR_COLUMNS, 0.0);
+  for (const auto &pair : pairs) {
+    if (pair->partition_atom_step != update->ntimestep || pair->partition_atom.size() != nall)
+      error->all(FLERR,
+                 "Stress by origin per atom was not tallied in step {}: use compute "
+                 "stress/partition/atom where its steps are known in advance (thermo, fix ave, "
+                 "dump, every-type variables)",
+                 update->ntimestep);
+    for (std::size_t i = 0; i < nall; i++)
+      for (int n = 0; n < PAIR_COLUMNS; n++) array_atom[i][n] += pair->partition_atom[i][n];
+  }
+  if (force->newton_pair) comm->reverse_comm(this);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int ComputeStressPartitionAtom::pack_reverse_comm(int n, int first, double *buf)
+{
+  for (int i = first; i < first + n; i++) buf = std::copy_n(array_atom[i], PAIR_COLUMNS, buf);
+  return n * PAIR_COLUMNS;
+}
+
+void ComputeStressPartitionAtom::unpack_reverse_comm(int n, int *list, double *buf)
+{
+  for (int i = 0; i < n; i++)
+    for (int m = 0; m < PAIR_COLUMNS; m++) array_atom[list[i]][m] += *buf++;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double ComputeStressPartitionAtom::memory_usage()
+{
+  return sizeof(double) * nmax * COLUMNS;
+}
