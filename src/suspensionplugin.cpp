@@ -12,8 +12,10 @@
 
 #include "compute_stress_partition.h"
 #include "compute_stress_partition_atom.h"
+#include "fix_deform_rheometer.h"
 #include "fix_drag_background.h"
 #include "fix_neigh_history_lubcontact.h"
+#include "fix_rheometer_plates.h"
 #include "pair_lubcontact.h"
 
 #include "lammpsplugin.h"
@@ -82,5 +84,7 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   with_args("compute", "stress/partition/atom",
             &create_with_args<Compute, ComputeStressPartitionAtom>);
   with_args("fix", "NEIGH_HISTORY/LUBCONTACT", &create_with_args<Fix, FixNeighHistoryLubcontact>);
+  with_args("fix", "deform/rheometer", &create_with_args<Fix, FixDeformRheometer>);
   with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
+  with_args("fix", "rheometer/plates", &create_with_args<Fix, FixRheometerPlates>);
 }

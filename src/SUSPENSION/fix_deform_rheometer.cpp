@@ -1,0 +1,390 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "fix_deform_rheometer.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "compute.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "kspace.h"
+#include "memory.h"
+#include "modify.h"
+#include "pair.h"
+#include "rheometer_flow.h"
+#include "rheometer_servo.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using rheometer::Cell;
+using rheometer::Gradient;
+
+static constexpr double ROUNDING = 1e-9;    // of a box length: more than a conversion of positions
+
+// clang-format off
+enum { FLOW, STRAIN, PATH, TIME, NOW_RATE, NOW_DILATION, XX, YY, ZZ, XY, P_MEAN, P_AGE, R_MEAN, R_AGE,
+       PARTICLES };
+// clang-format on
+static constexpr int RESTART_SIZE = PARTICLES + 4;
+static constexpr int PERATOM_RESTART = 4;    // this size, position
+
+/* ----------------------------------------------------------------------
+   box moved together with the positions: a set-up finds the cell in which the forces were computed
+------------------------------------------------------------------------- */
+
+int FixDeformRheometer::setmask()
+{
+  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::init()
+{
+  if (modify->get_fix_by_style("^deform").size() > 1)
+    error->all(FLERR, "More than one fix deform: the cell can follow one only");
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Fix {} does not work with run_style respa; use: run_style verlet", style);
+  for (const auto &other : modify->get_fix_list())
+    if (other->rigid_flag)
+      error->all(FLERR, "Fix {} cannot move the rigid bodies of fix {}", style, other->id);
+  if (domain->xz != 0.0 || domain->yz != 0.0)
+    error->all(FLERR, "Fix {} needs a cell without tilts xz and yz, but they are {} and {}", style,
+               domain->xz, domain->yz);
+  if (flow != rheometer::SHEAR && domain->triclinic && domain->xy != 0.0)
+    error->all(FLERR, "Fix {} extends cells without tilt, but xy is {}", style, domain->xy);
+
+  virial = modify->get_compute_by_id(virial_id);
+  if (!virial) error->all(FLERR, "Compute {} of fix {} was deleted", virial_id, style);
+  find_variables();
+  if (!viscosity_given) find_viscosity();
+  h_rate = domain->h_rate;
+  h_ratelo = domain->h_ratelo;
+  kspace_flag = force->kspace ? 1 : 0;
+  varflag = 0;
+  measure_particles();
+  publish_rates();
+}
+
+/* ----------------------------------------------------------------------
+   before ghosts are made: the flow of the first step
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::setup_pre_exchange()
+{
+  if (update->whichflag != 1) return;
+  if (from_restart) restore_positions();
+  from_restart = false;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 3; d++) held[i][d] = atom->x[i][d];
+
+  if (confinement == VOLUME) dilation = 0.0;
+  update_targets();
+  if (drive != STRESS) rate = next_rate();
+  moved = 0.0;
+  set_gradient();
+}
+
+/* ----------------------------------------------------------------------
+   in a triclinic cell read_restart and the set-up convert positions to lamda coordinates and back,
+   which rounds them: undo it, so that a restarted run goes on bit for bit
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::restore_positions()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    double *x = atom->x[i];
+    bool same = true;    // neither wrapped into the cell nor new
+    for (int d = 0; d < 3; d++)
+      if (!(fabs(x[d] - held[i][d]) <= ROUNDING * domain->prd[d])) same = false;
+    for (int d = 0; same && d < 3; d++) x[d] = held[i][d];
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::setup_pre_neighbor()
+{
+  if (update->whichflag == 1) restore_positions();
+  pre_neighbor();
+}
+
+/* ----------------------------------------------------------------------
+   positions of new ghosts come from lamda coordinates: make them as in all other steps, so that
+   a restarted run finds the same ones
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::pre_neighbor()
+{
+  comm->forward_comm();
+  check_cell();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::check_cell() const
+{
+  if (!force->pair) return;
+  const double *hi = domain->h_inv;
+  const double height[3] = {1.0 / sqrt(hi[0] * hi[0] + hi[5] * hi[5]), 1.0 / hi[1], 1.0 / hi[2]};
+  for (int d = 0; d < domain->dimension; d++)
+    if (domain->periodicity[d] && height[d] < 2.0 * force->pair->cutforce)
+      error->all(FLERR,
+                 "Fix {}: at strain {:.6g} the height {:.6g} of the cell along {} has come below "
+                 "twice the cutoff {:.6g} of the pair style, so that a pair could meet through two "
+                 "images: start from a larger cell or stop earlier",
+                 style, strain, height[d], "xyz"[d], force -> pair -> cutforce);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::setup(int /*vflag*/)
+{
+  measure_stress();
+  virial->addstep(update->ntimestep + 1);
+}
+
+/* ----------------------------------------------------------------------
+   the cell moves with the positions; flips at once if it tilts by more than half an edge
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::post_integrate()
+{
+  const double dt = update->dt;
+  strain += rate * dt;
+  path += fabs(rate) * dt;
+  time += dt;
+  moved = dt;
+
+  const Cell old = {domain->xprd, domain->yprd, domain->zprd, domain->xy};
+  const Cell cell = rheometer::advance(old, *gradient, dt);
+  if (cell.lx != old.lx) domain->boxhi[0] = domain->boxlo[0] + cell.lx;
+  if (cell.ly != old.ly) domain->boxhi[1] = domain->boxlo[1] + cell.ly;
+  if (cell.lz != old.lz) domain->boxhi[2] = domain->boxlo[2] + cell.lz;
+  if (domain->triclinic) domain->xy = cell.xy;
+  domain->set_global_box();
+  domain->set_local_box();
+
+  flipxy = flow == rheometer::SHEAR ? rheometer::flips(cell) : 0;
+  flipxz = flipyz = 0;
+  flip = flipxy != 0;
+  if (flip) {
+    set[3].tilt_flip = domain->yz;
+    set[4].tilt_flip = domain->xz;
+    set[5].tilt_flip = cell.xy + flipxy * cell.lx;
+    next_reneighbor = update->ntimestep;
+  }
+  if (kspace_flag) force->kspace->setup();
+}
+
+/* ----------------------------------------------------------------------
+   the flip of the parent wraps positions only: particles that have left the cell change their
+   velocity, too
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::pre_exchange()
+{
+  if (!flip) return;
+  domain->x2lamda(atom->nlocal);
+  domain->pbc();
+  domain->lamda2x(atom->nlocal);
+  FixDeform::pre_exchange();
+}
+
+/* ----------------------------------------------------------------------
+   the flow of the next step, and what the change means for the particles
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::end_of_step()
+{
+  measure_stress();
+  virial->addstep(update->ntimestep + 1);
+  if (moved == 0.0) return;
+
+  if (has_variables()) modify->clearstep_compute();
+  update_targets();
+  if (has_variables()) modify->addstep_compute(update->ntimestep + 1);
+  const double rate_next = next_rate();
+  const double dilation_next = next_dilation();
+  judge();
+  rate = rate_next;
+  dilation = dilation_next;
+  set_gradient();
+}
+
+/* ----------------------------------------------------------------------
+   flow of the next step. Each particle gets the change of velocity and of spin that keeps it in the flow
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::set_gradient()
+{
+  const Gradient next = rheometer::gradient(static_cast<rheometer::Flow>(flow), domain->dimension,
+                                            rate, dilation, update->dt);
+  const Gradient k = rheometer::change(*gradient, next, moved);
+  const double spin = -0.5 * (next.xy - gradient->xy);
+  *gradient = next;
+  moved = 0.0;
+  publish_rates();
+  if (k.xx == 0.0 && k.yy == 0.0 && k.zz == 0.0 && k.xy == 0.0) return;
+
+  const double lo[3] = {domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]};
+  const int nlocal = atom->nlocal;
+  const int *mask = atom->mask;
+  for (int i = 0; i < nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    const double *x = atom->x[i];
+    double *v = atom->v[i];
+    const double y = x[1] - lo[1];
+    v[0] += k.xx * (x[0] - lo[0]) + k.xy * y;
+    v[1] += k.yy * y;
+    v[2] += k.zz * (x[2] - lo[2]);
+    atom->omega[i][2] += spin;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   rates of change of the cell, from which LAMMPS makes the velocities of ghosts. They hold for the
+   whole step, as the velocities of the particles do, although the cell changes in it
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::publish_rates()
+{
+  const Cell cell = {domain->xprd, domain->yprd, domain->zprd, domain->xy};
+  const Cell change = rheometer::cell_rate(*gradient, cell);
+  h_rate[0] = change.lx;
+  h_rate[1] = change.ly;
+  h_rate[2] = change.lz;
+  h_rate[3] = h_rate[4] = 0.0;
+  h_rate[5] = change.xy;
+  h_ratelo[0] = h_ratelo[1] = h_ratelo[2] = 0.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const double buf[RESTART_SIZE] = {static_cast<double>(flow),
+                                    strain,
+                                    path,
+                                    time,
+                                    rate,
+                                    dilation,
+                                    gradient->xx,
+                                    gradient->yy,
+                                    gradient->zz,
+                                    gradient->xy,
+                                    watch_pressure->deviation,
+                                    watch_pressure->age,
+                                    watch_rate->deviation,
+                                    watch_rate->age,
+                                    particles[0],
+                                    particles[1],
+                                    particles[2],
+                                    particles[3]};
+  const int size = sizeof(buf);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(buf, 1, size, fp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::restart(char *buf)
+{
+  double from[RESTART_SIZE];
+  memcpy(from, buf, sizeof(from));
+  if (from[FLOW] != flow)
+    error->all(FLERR, "Fix {} cannot go on from a restart file with another flow", style);
+  strain = from[STRAIN];
+  path = from[PATH];
+  time = from[TIME];
+  rate = from[NOW_RATE];
+  dilation = from[NOW_DILATION];
+  *gradient = {from[XX], from[YY], from[ZZ], from[XY]};
+  *watch_pressure = {from[P_MEAN], from[P_AGE]};
+  *watch_rate = {from[R_MEAN], from[R_AGE]};
+  std::copy_n(from + PARTICLES, 4, particles);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::grow_arrays(int nmax)
+{
+  memory->grow(held, nmax, 3, "deform/rheometer:held");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::copy_arrays(int i, int j, int /*delflag*/)
+{
+  memcpy(held[j], held[i], 3 * sizeof(double));
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixDeformRheometer::pack_exchange(int i, double *buf)
+{
+  memcpy(buf, held[i], 3 * sizeof(double));
+  return 3;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixDeformRheometer::unpack_exchange(int nlocal, double *buf)
+{
+  memcpy(held[nlocal], buf, 3 * sizeof(double));
+  return 3;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixDeformRheometer::pack_restart(int i, double *buf)
+{
+  buf[0] = PERATOM_RESTART;
+  memcpy(buf + 1, atom->x[i], 3 * sizeof(double));
+  return PERATOM_RESTART;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::unpack_restart(int nlocal, int nth)
+{
+  const double *extra = atom->extra[nlocal];
+  for (int n = 0; n < nth; n++) extra += static_cast<int>(*extra);
+  memcpy(held[nlocal], extra + 1, 3 * sizeof(double));
+  from_restart = true;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixDeformRheometer::size_restart(int /*nlocal*/)
+{
+  return PERATOM_RESTART;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixDeformRheometer::maxsize_restart()
+{
+  return PERATOM_RESTART;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixDeformRheometer::memory_usage()
+{
+  return FixDeform::memory_usage() + 3.0 * atom->nmax * sizeof(double);
+}

@@ -1,0 +1,124 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(deform/rheometer,FixDeformRheometer);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_DEFORM_RHEOMETER_H
+#define LMP_FIX_DEFORM_RHEOMETER_H
+
+#include "fix_deform.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rheometer {
+struct Gradient;
+struct Material;
+struct Watch;
+}    // namespace rheometer
+
+namespace LAMMPS_NS {
+
+// A FixDeform, because LAMMPS looks for one to make the velocities of ghost atoms; nothing of its
+// motion of the box is used, only its flip.
+class FixDeformRheometer : public FixDeform {
+ public:
+  FixDeformRheometer(class LAMMPS *, int, char **);
+  ~FixDeformRheometer() override;
+  int setmask() override;
+  void init() override;
+  void setup_pre_exchange() override;
+  void setup_pre_neighbor() override;
+  void setup(int) override;
+  void post_integrate() override;
+  void pre_exchange() override;
+  void pre_neighbor() override;
+  void end_of_step() override;
+  double compute_vector(int) override;
+  int modify_param(int, char **) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+  double memory_usage() override;
+
+ protected:
+  FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);
+
+  // a number or an equal-style variable, which is evaluated once a step
+  struct Target {
+    double value = 0.0;
+    std::string name;
+    int index = -1;
+  };
+  enum Drive { NONE_YET, RATE, IV, STRESS, OSCILLATE };
+  enum Confinement { OPEN, PRESSURE, VOLUME };
+
+  int flow;    // rheometer::Flow
+  Drive drive;
+  Target driven;    // rate, viscous number or stress; mean rate of an oscillation
+  double amplitude, frequency;
+  Confinement confinement;
+  Target pressure;
+  Target viscosity;    // of the fluid
+  bool viscosity_given;
+  const double *pair_viscosity;    // that of the pair style, if not given
+  double gain;
+
+  // state, in the restart file
+  double strain, path, time, rate, dilation;
+  std::unique_ptr<rheometer::Gradient> gradient;    // of the present step
+  double moved;    // time over which it has moved the cell: 0 before it has, and in a rerun
+  std::unique_ptr<rheometer::Watch> watch_pressure, watch_rate;
+
+  double measured_pressure, measured_stress;    // of the particles, in the present step
+  int state;                                    // rheometer::State
+  bool warned;
+  double particles[4];    // sums of volume, mass, radius, number
+  std::unique_ptr<rheometer::Material> material;
+  class Compute *virial;
+  std::string virial_id;
+  double **held;        // positions before LAMMPS converts them to lamda coordinates and back
+  bool from_restart;    // held comes from the restart file
+
+  int parse(int, int, char **, bool);
+  Target parse_target(const char *) const;
+  int parse_flow(int, const char *) const;
+  void check_directions() const;
+  void find_variables();
+  bool has_variables() const;
+  void update_targets();
+  void check_cell() const;
+  void restore_positions();
+  void find_viscosity();
+  void measure_particles();
+  void measure_stress();
+  double next_rate() const;
+  double next_dilation() const;
+  void judge();
+  void judge_stress();
+  void set_gradient();
+  void publish_rates();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

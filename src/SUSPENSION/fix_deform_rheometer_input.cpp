@@ -1,0 +1,281 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "fix_deform_rheometer.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "input.h"
+#include "memory.h"
+#include "modify.h"
+#include "rheometer_flow.h"
+#include "rheometer_servo.h"
+#include "update.h"
+#include "variable.h"
+
+#include <cstring>
+#include <vector>
+
+using namespace LAMMPS_NS;
+
+static constexpr int VECTOR_SIZE = 10;
+
+/* ----------------------------------------------------------------------
+   what the parent is told: the directions that may move, so that no other fix moves them, too
+------------------------------------------------------------------------- */
+
+static std::vector<char *> parent_args(LAMMPS *lmp, int narg, char **arg)
+{
+  if (narg < 4) utils::missing_cmd_args(FLERR, "fix deform/rheometer", lmp->error);
+  std::string flow = "shear";
+  for (int iarg = 3; iarg + 1 < narg; iarg++)
+    if (strcmp(arg[iarg], "flow") == 0) flow = arg[iarg + 1];
+  if (flow == "shear" && !lmp->domain->triclinic)
+    lmp->error->all(FLERR,
+                    "Fix deform/rheometer shears a triclinic cell; add: change_box all triclinic");
+
+  std::vector<const char *> words = {"1"};
+  auto moves = [&words](const char *direction) {
+    for (const char *word : {direction, "vel", "0"}) words.push_back(word);
+  };
+  if (flow != "shear") moves("x");
+  moves("y");
+  if (flow != "shear" && lmp->domain->dimension == 3) moves("z");
+  if (flow == "shear") moves("xy");
+  for (const char *word : {"remap", "v", "units", "box", "flip", "yes"}) words.push_back(word);
+
+  std::vector<char *> args(arg, arg + 3);
+  for (const char *word : words) args.push_back(const_cast<char *>(word));
+  return args;
+}
+
+/* ----------------------------------------------------------------------
+   fix ID group deform/rheometer keyword value ...
+------------------------------------------------------------------------- */
+
+FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg) :
+    FixDeformRheometer(lmp, narg, arg, parent_args(lmp, narg, arg))
+{
+}
+
+FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
+                                       std::vector<char *> args) :
+    FixDeform(lmp, static_cast<int>(args.size()), args.data()),
+    flow(rheometer::SHEAR), drive(NONE_YET), amplitude(0.0), frequency(0.0), confinement(OPEN),
+    viscosity_given(false), pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0),
+    rate(0.0), dilation(0.0), gradient(new rheometer::Gradient()), moved(0.0),
+    watch_pressure(new rheometer::Watch()), watch_rate(new rheometer::Watch()),
+    measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), warned(false),
+    particles(), material(new rheometer::Material()), virial(nullptr), held(nullptr),
+    from_restart(false)
+{
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
+    error->all(FLERR, "Fix {} needs finite-size spheres; use: atom_style sphere", style);
+  vector_flag = 1;
+  size_vector = VECTOR_SIZE;
+  extvector = 0;
+  global_freq = 1;
+  dynamic_group_allow = 0;
+  restart_peratom = 1;
+  maxexchange = 3;
+
+  double start = 0.0;
+  for (int iarg = 3; iarg < narg;) {
+    if (strcmp(arg[iarg], "flow") == 0) {
+      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix deform/rheometer flow", error);
+      flow = parse_flow(iarg + 1, arg[iarg + 1]);
+      iarg += 2;
+    } else if (strcmp(arg[iarg], "start") == 0) {
+      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix deform/rheometer start", error);
+      start = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+      iarg += 2;
+    } else {
+      iarg = parse(iarg, narg, arg, true);
+    }
+  }
+  if (drive == NONE_YET)
+    error->all(FLERR, "Fix {} needs one of: rate, iv, stress, oscillate", style);
+  if (confinement == OPEN) error->all(FLERR, "Fix {} needs one of: pressure, volume", style);
+  for (int iarg = 3; iarg < narg; iarg++)
+    if (confinement == VOLUME && strcmp(arg[iarg], "gain") == 0)
+      error->all(FLERR, iarg, "Fix {} gain cannot act at constant volume", style);
+  check_directions();
+
+  // the particles are taken to follow this flow already
+  rate = start;
+  *gradient = rheometer::gradient(static_cast<rheometer::Flow>(flow), domain->dimension, start, 0.0,
+                                  update->dt);
+  virial_id = std::string(id) + "_virial";
+  virial = modify->add_compute(virial_id + " all pressure NULL pair");
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+  FixDeformRheometer::grow_arrays(atom->nmax);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixDeformRheometer::~FixDeformRheometer()
+{
+  if (modify->get_compute_by_id(virial_id)) modify->delete_compute(virial_id);
+  if (modify->get_fix_by_id(id)) {
+    atom->delete_callback(id, Atom::GROW);
+    atom->delete_callback(id, Atom::RESTART);
+  }
+  memory->destroy(held);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixDeformRheometer::parse_flow(int iarg, const char *word) const
+{
+  if (strcmp(word, "shear") == 0) return rheometer::SHEAR;
+  if (strcmp(word, "planar") == 0) return rheometer::PLANAR;
+  if (strcmp(word, "uniaxial") == 0) {
+    if (domain->dimension == 2)
+      error->all(FLERR, iarg, "Fix {}: no uniaxial flow in 2d; use planar", style);
+    return rheometer::UNIAXIAL;
+  }
+  error->all(FLERR, iarg, "Fix {} flow must be shear, planar or uniaxial, but is {}", style, word);
+  return 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::check_directions() const
+{
+  const int *periodic = domain->periodicity;
+  const bool z = flow == rheometer::SHEAR || domain->dimension == 2 || periodic[2];
+  if (!periodic[0] || !periodic[1] || !z)
+    error->all(FLERR,
+               "Fix {} needs a cell that is periodic in the directions of the flow; for walls see "
+               "fix rheometer/plates",
+               style);
+}
+
+/* ----------------------------------------------------------------------
+   one keyword with its values, of fix or fix_modify; returns the next position
+------------------------------------------------------------------------- */
+
+int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
+{
+  const std::string key = arg[iarg];
+  const int where = pointer ? iarg : Error::NOPOINTER;
+  auto need = [&](int n) {
+    if (iarg + n >= narg)
+      utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, key), error);
+  };
+  auto set_drive = [&](Drive to) {
+    if (pointer && drive != NONE_YET)
+      error->all(FLERR, where,
+                 "Fix {} takes one of rate, iv, stress, oscillate; {} is one too many", style, key);
+    drive = to;
+    driven = parse_target(arg[iarg + 1]);
+  };
+  auto set_confinement = [&](Confinement to) {
+    if (pointer && confinement != OPEN)
+      error->all(FLERR, where, "Fix {} takes one of pressure, volume; {} is one too many", style,
+                 key);
+    confinement = to;
+  };
+  auto positive = [&](const Target &target, bool zero) {
+    if (target.name.empty() && !(zero ? target.value >= 0.0 : target.value > 0.0))
+      error->all(FLERR, pointer ? iarg + 1 : where, "Fix {} {} must be {} 0, but is {}", style, key,
+                 zero ? ">=" : ">", arg[iarg + 1]);
+  };
+
+  if (key == "rate" || key == "iv" || key == "stress") {
+    need(1);
+    set_drive(key == "rate" ? RATE : key == "iv" ? IV : STRESS);
+    return iarg + 2;
+  }
+  if (key == "oscillate") {
+    need(3);
+    set_drive(OSCILLATE);
+    time = 0.0;    // of the oscillation
+    amplitude = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+    frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
+    return iarg + 4;
+  }
+  if (key == "volume") {
+    set_confinement(VOLUME);
+    return iarg + 1;
+  }
+  need(1);
+  if (key == "pressure") {
+    set_confinement(PRESSURE);
+    pressure = parse_target(arg[iarg + 1]);
+    positive(pressure, false);
+  } else if (key == "viscosity") {
+    viscosity = parse_target(arg[iarg + 1]);
+    viscosity_given = true;
+    positive(viscosity, true);
+  } else if (key == "gain") {
+    Target number;
+    number.value = gain = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+    positive(number, false);
+  } else {
+    error->all(FLERR, where,
+               pointer
+                   ? "Unknown fix {} keyword: {}"
+                   : "Fix {} {} cannot be changed by fix_modify; what can is: rate, iv, stress, "
+                     "oscillate, pressure, volume, viscosity, gain",
+               style, key);
+  }
+  return iarg + 2;
+}
+
+/* ----------------------------------------------------------------------
+   a number or v_name
+------------------------------------------------------------------------- */
+
+FixDeformRheometer::Target FixDeformRheometer::parse_target(const char *word) const
+{
+  Target target;
+  if (utils::strmatch(word, "^v_"))
+    target.name = word + 2;
+  else
+    target.value = utils::numeric(FLERR, word, false, lmp);
+  return target;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::find_variables()
+{
+  for (Target *target : {&driven, &pressure, &viscosity}) {
+    if (target->name.empty()) continue;
+    target->index = input->variable->find(target->name.c_str());
+    if (target->index < 0)
+      error->all(FLERR, "Variable {} for fix {} does not exist", target->name, style);
+    if (!input->variable->equalstyle(target->index))
+      error->all(FLERR, "Variable {} for fix {} must be of style equal", target->name, style);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixDeformRheometer::has_variables() const
+{
+  return !driven.name.empty() || !pressure.name.empty() || !viscosity.name.empty();
+}
+
+/* ----------------------------------------------------------------------
+   fix_modify ID rate ... : the flow goes on from where it is
+------------------------------------------------------------------------- */
+
+int FixDeformRheometer::modify_param(int narg, char **arg)
+{
+  const int next = parse(0, narg, arg, false);
+  find_variables();    // a run with "pre no" does not
+  *watch_pressure = rheometer::Watch();
+  *watch_rate = rheometer::Watch();
+  warned = false;
+  return next;
+}

@@ -1,0 +1,247 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// What the rheometer measures, and how it follows its targets.
+
+#include "fix_deform_rheometer.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "input.h"
+#include "math_const.h"
+#include "pair.h"
+#include "rheometer_flow.h"
+#include "rheometer_servo.h"
+#include "update.h"
+#include "variable.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using rheometer::Gradient;
+using rheometer::Stress;
+
+using MathConst::MY_PI;
+
+static constexpr double ROUNDING = 1e-12;    // of a sum over particles
+
+/* ----------------------------------------------------------------------
+   viscosity of pair style lubcontact, alone or under hybrid
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::find_viscosity()
+{
+  pair_viscosity = nullptr;
+  Pair *pair = force->pair_match("^lubcontact", 0);
+  if (!pair) pair = force->pair_match("^lubcontact", 0, 1);
+  int dim;
+  if (pair) pair_viscosity = static_cast<double *>(pair->extract("eta", dim));
+  if (pair_viscosity) return;
+  if (pair)
+    error->all(FLERR,
+               "The viscosity of pair style lubcontact is a variable: give the same to fix {}: "
+               "viscosity v_name",
+               style);
+  if (drive == IV || drive == STRESS || confinement == PRESSURE)
+    error->all(FLERR, "Fix {} needs the viscosity of the fluid; add: viscosity eta (0 if dry)",
+               style);
+}
+
+/* ----------------------------------------------------------------------
+   volume, size and density of the particles. The last bits of a sum depend on the ranks that the
+   particles are on: sums that differ in nothing else stay as they were
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::measure_particles()
+{
+  double mine[4] = {}, all[4];    // volume, mass, radii, number
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double r = atom->radius[i];
+    mine[0] += domain->dimension == 3 ? 4.0 / 3.0 * MY_PI * r * r * r : MY_PI * r * r;
+    mine[1] += atom->rmass[i];
+    mine[2] += r;
+    mine[3] += 1.0;
+  }
+  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  if (all[0] == 0.0) error->all(FLERR, "Fix {}: no particles with a radius in its group", style);
+  bool same = true;
+  for (int n = 0; n < 4; n++)
+    if (fabs(all[n] - particles[n]) > ROUNDING * all[n]) same = false;
+  if (!same) std::copy_n(all, 4, particles);
+  material->density = particles[1] / particles[0] * force->mvv2e * force->nktv2p;
+  material->diameter = 2.0 * particles[2] / particles[3];
+  material->inertia = material->density * material->diameter * material->diameter;
+}
+
+/* ----------------------------------------------------------------------
+   stress of the particles: pair forces, and inertia relative to the flow. The compute only asks for
+   the virial in time; reducing it here together with the inertia saves one reduction a step
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::measure_stress()
+{
+  // what the flow of this step is at its end
+  const Gradient g = rheometer::at_end(*gradient, moved);
+  const double lo[3] = {domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]};
+  const int nlocal = atom->nlocal;
+  const int *mask = atom->mask;
+  const double *rmass = atom->rmass;
+  double mine[4] = {}, sum[4];    // xx yy zz xy
+  for (int i = 0; i < nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    const double *x = atom->x[i], *v = atom->v[i];
+    const double y = x[1] - lo[1], m = rmass[i];
+    const double vx = v[0] - g.xx * (x[0] - lo[0]) - g.xy * y;
+    const double vy = v[1] - g.yy * y;
+    const double vz = v[2] - g.zz * (x[2] - lo[2]);
+    mine[0] += m * vx * vx;
+    mine[1] += m * vy * vy;
+    mine[2] += m * vz * vz;
+    mine[3] += m * vx * vy;
+  }
+  for (double &component : mine) component *= force->mvv2e;
+  if (force->pair)
+    for (int n = 0; n < 4; n++) mine[n] += force->pair->virial[n];
+  MPI_Allreduce(mine, sum, 4, MPI_DOUBLE, MPI_SUM, world);
+
+  double size = domain->xprd * domain->yprd;
+  if (domain->dimension == 3) size *= domain->zprd;
+  const double scale = -force->nktv2p / size;
+  const Stress stress = {scale * sum[0], scale * sum[1], scale * sum[2], scale * sum[3]};
+  const auto f = static_cast<rheometer::Flow>(flow);
+  measured_pressure = rheometer::pressure(f, domain->dimension, stress);
+  measured_stress = rheometer::driving_stress(f, stress);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::update_targets()
+{
+  for (Target *target : {&driven, &pressure, &viscosity})
+    if (!target->name.empty()) target->value = input->variable->compute_equal(target->index);
+  if (!viscosity_given && pair_viscosity) viscosity.value = *pair_viscosity;
+
+  if (confinement == VOLUME && drive == IV)
+    error->all(FLERR,
+               "Fix {} cannot hold a viscous number at constant volume, where it follows from the "
+               "volume fraction: give a pressure, or a rate",
+               style);
+  if (confinement == PRESSURE && !(pressure.value > 0.0))
+    error->all(FLERR, "Fix {} pressure must be > 0, but is {}", style, pressure.value);
+  if (!(viscosity.value >= 0.0))
+    error->all(FLERR, "Fix {} viscosity must be >= 0, but is {}", style, viscosity.value);
+  if (drive == IV && viscosity.value == 0.0)
+    error->all(FLERR, "Fix {} cannot hold a viscous number without viscosity: give a rate", style);
+  material->eta = force->nktv2p * viscosity.value;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixDeformRheometer::next_rate() const
+{
+  switch (drive) {
+    case IV:
+      return driven.value * pressure.value / material->eta;
+    case OSCILLATE:
+      return rheometer::oscillation_rate(driven.value, amplitude, frequency, time, update->dt);
+    case STRESS:
+      return rheometer::next_rate(*material, rate, measured_stress, driven.value,
+                                  rheometer::trouton_ratio(static_cast<rheometer::Flow>(flow)),
+                                  update->dt);
+    default:
+      return driven.value;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixDeformRheometer::next_dilation() const
+{
+  if (confinement == VOLUME) return 0.0;
+  return rheometer::next_dilation(*material, dilation, measured_pressure, pressure.value, rate,
+                                  gain, update->dt);
+}
+
+/* ----------------------------------------------------------------------
+   is the target followed, and will it ever be reached?
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::judge()
+{
+  using namespace rheometer;
+  state = IDLE;
+  if (confinement == PRESSURE) {
+    const double target = pressure.value;
+    const double w = servo_rate(*material, rate, target, PRESSURE_FLOOR);
+    *watch_pressure = watch(*watch_pressure, measured_pressure / target - 1.0, w, update->dt);
+    // the servo never gives more than it does against an infinite pressure
+    const double limit =
+        rheometer::next_dilation(*material, 0.0, INFINITY, target, rate, gain, update->dt);
+    state = fabs(dilation) < limit ? FOLLOWING : LIMITED;
+    if (unreachable(*watch_pressure)) {
+      state = UNREACHABLE;
+      if (!warned && comm->me == 0)
+        error->warning(FLERR,
+                       "Fix {}: the pressure has been {:.4g} times its target {:.4g} for {:.3g} "
+                       "strain units: it cannot be reached in this scene",
+                       style, 1.0 + watch_pressure->deviation, target, watch_pressure->age);
+      warned = true;
+    }
+  }
+  if (drive == STRESS) judge_stress();
+}
+
+/* ----------------------------------------------------------------------
+   jammed: the stress is carried without flow
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::judge_stress()
+{
+  using namespace rheometer;
+  const double target = driven.value;
+  const double creep = STRESS_FLOOR * rearrangement_rate(*material, target);
+  if (state == IDLE) state = FOLLOWING;
+  if (creep == 0.0) return;
+  *watch_rate = watch(*watch_rate, fabs(rate) / creep,
+                      servo_rate(*material, rate, target, STRESS_FLOOR), update->dt);
+  if (!jammed(*watch_rate)) return;
+  state = UNREACHABLE;
+  if (!warned && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix {}: jammed, the particles carry the stress {:.4g} without flowing; mean "
+                   "rate {:.3g}",
+                   style, target, watch_rate->deviation * creep);
+  warned = true;
+}
+
+/* ----------------------------------------------------------------------
+   strain, rate, volume fraction, pressure, driving stress, both targets, dilation, path, state
+------------------------------------------------------------------------- */
+
+double FixDeformRheometer::compute_vector(int n)
+{
+  double size = domain->xprd * domain->yprd;
+  if (domain->dimension == 3) size *= domain->zprd;
+  const double values[] = {strain,
+                           rate,
+                           particles[0] / size,
+                           measured_pressure,
+                           measured_stress,
+                           confinement == VOLUME ? 0.0 : pressure.value,
+                           driven.value,
+                           dilation,
+                           path,
+                           static_cast<double>(state)};
+  return values[n];
+}

@@ -1,0 +1,387 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// Plane Couette cell: what the plates do in a step, and what they feel.
+
+#include "fix_rheometer_plates.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "group.h"
+#include "input.h"
+#include "modify.h"
+#include "rheometer_flow.h"
+#include "rheometer_plate.h"
+#include "rheometer_servo.h"
+#include "update.h"
+#include "variable.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using rheometer::LOWER;
+using rheometer::UPPER;
+
+/* ---------------------------------------------------------------------- */
+
+int FixRheometerPlates::setmask()
+{
+  return INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE | MIN_POST_FORCE;
+}
+
+/* ----------------------------------------------------------------------
+   Sums over particles are measured at the start of a run, and kept if they are as before: another
+   order of the particles would round them differently, and a continued run would not be the same.
+------------------------------------------------------------------------- */
+
+static void measured(double &kept, double now, double scale)
+{
+  if (fabs(now - kept) > 1e-8 * scale) kept = now;
+}
+
+/* ----------------------------------------------------------------------
+   the gap is between the mean surfaces of the plates, and follows their motion during a run
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::measure_gap()
+{
+  double mine[4] = {0.0, 0.0, 0.0, 0.0}, all[4];    // height and number, lower and upper
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int plate : {LOWER, UPPER}) {
+      if (!(atom->mask[i] & bit[plate])) continue;
+      const double inwards = plate == LOWER ? atom->radius[i] : -atom->radius[i];
+      mine[2 * plate] += atom->x[i][1] + inwards;
+      mine[2 * plate + 1] += 1.0;
+    }
+  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  const double bottom = all[0] / all[1], top = all[2] / all[3];
+  if (!(top > bottom))
+    error->all(FLERR,
+               "Fix rheometer/plates: the mean surface of the upper plate, y = {:.6g}, must be "
+               "above that of the lower plate, y = {:.6g}; exchange the groups, or move the plates",
+               top, bottom);
+  measured(state.gap, top - bottom, fabs(top) + fabs(bottom));
+}
+
+/* ----------------------------------------------------------------------
+   what is between the plates, and the mass of the upper plate
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::measure_particles()
+{
+  enum { VOLUME, MASS, DIAMETER, NUMBER, PLATE, NUM };
+  double mine[NUM] = {0.0, 0.0, 0.0, 0.0, 0.0}, all[NUM];
+  const bool flat = domain->dimension == 2;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double r = atom->radius[i];
+    if (atom->mask[i] & bit[UPPER]) mine[PLATE] += atom->rmass[i];
+    if (!(atom->mask[i] & groupbit)) continue;
+    mine[VOLUME] += M_PI * r * r * (flat ? 1.0 : 4.0 / 3.0 * r);
+    mine[MASS] += atom->rmass[i];
+    mine[DIAMETER] += 2.0 * r;
+    mine[NUMBER] += 1.0;
+  }
+  MPI_Allreduce(mine, all, NUM, MPI_DOUBLE, MPI_SUM, world);
+  if (load == PRESSURE && all[NUMBER] == 0.0)
+    error->all(FLERR,
+               "Fix rheometer/plates cannot hold a pressure: group {} of the suspended particles "
+               "is empty",
+               group->names[igroup]);
+  const double number = MAX(all[NUMBER], 1.0), volume = all[NUMBER] > 0.0 ? all[VOLUME] : 1.0;
+  measured(state.solid, all[VOLUME], all[VOLUME]);
+  measured(state.density, all[MASS] / volume, all[MASS] / volume);
+  measured(state.diameter, all[DIAMETER] / number, all[DIAMETER] / number);
+  measured(state.plate_mass, all[PLATE], all[PLATE]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::setup(int vflag)
+{
+  measure_gap();
+  measure_particles();
+  evaluate_targets();
+  post_force(vflag);
+  check_time_step();
+}
+
+/* ----------------------------------------------------------------------
+   forces of the suspension on the plates, those between plate and plate included
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::post_force(int /*vflag*/)
+{
+  double mine[2][3] = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int plate : {LOWER, UPPER})
+      if (atom->mask[i] & bit[plate])
+        for (int d = 0; d < 3; d++) mine[plate][d] += atom->f[i][d];
+  MPI_Allreduce(mine, force_on, 6, MPI_DOUBLE, MPI_SUM, world);
+}
+
+/* ----------------------------------------------------------------------
+   a minimization moves the suspended particles only
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::min_setup(int vflag)
+{
+  min_post_force(vflag);
+}
+
+void FixRheometerPlates::min_post_force(int /*vflag*/)
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & (bit[LOWER] | bit[UPPER]))
+      atom->f[i][0] = atom->f[i][1] = atom->f[i][2] = 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   in force/length^2 and force*time^2/length here, whatever the units
+------------------------------------------------------------------------- */
+
+double FixRheometerPlates::area() const
+{
+  return domain->xprd * (domain->dimension == 3 ? domain->zprd : 1.0);
+}
+
+double FixRheometerPlates::moving_mass() const
+{
+  return (mass > 0.0 ? mass : state.plate_mass) / force->ftm2v;
+}
+
+rheometer::Material FixRheometerPlates::material() const
+{
+  const double rho = state.density / force->ftm2v;
+  return {viscosity.now, rho, state.diameter, rho * state.diameter * state.gap};
+}
+
+rheometer::WallStress FixRheometerPlates::stress_on(int plate) const
+{
+  return rheometer::wall_stress(static_cast<rheometer::Plate>(plate), force_on[plate], area());
+}
+
+/* ----------------------------------------------------------------------
+   targets of this step
+------------------------------------------------------------------------- */
+
+bool FixRheometerPlates::evaluate(Value &value)
+{
+  if (value.variable.empty()) return false;
+  value.now = input->variable->compute_equal(input->variable->find(value.variable.c_str()));
+  return true;
+}
+
+void FixRheometerPlates::evaluate_targets()
+{
+  modify->clearstep_compute();
+  bool any = false;
+  for (Value *value : {&target_x, &amplitude, &target_y, &viscosity})
+    if (evaluate(*value)) any = true;
+  if (any) modify->addstep_compute(update->ntimestep + 1);
+  if (!own_viscosity) viscosity.now = pair_eta ? *pair_eta : 0.0;
+  check_values();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::half_kick_x(double dt)
+{
+  const double push = target_x.now / force->nktv2p * area() + force_on[UPPER][0];
+  state.vx = rheometer::damped_velocity(state.vx, push, moving_mass(), damper_x, 0.5 * dt);
+}
+
+void FixRheometerPlates::half_kick_y(double dt)
+{
+  const double push = force_on[UPPER][1] - target_y.now / force->nktv2p * area();
+  state.vy = rheometer::damped_velocity(state.vy, push, moving_mass(), damper_y, 0.5 * dt);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::move_y(double dt)
+{
+  if (load == GAP) {
+    state.vy = 0.0;
+  } else if (load == LOAD) {
+    half_kick_y(dt);
+  } else {
+    state.dilation = rheometer::next_dilation(material(), state.dilation, stress_on(UPPER).pressure,
+                                              target_y.now / force->nktv2p, state.rate, gain, dt);
+    state.vy = rheometer::dilation_velocity(state.gap, state.dilation, dt);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixRheometerPlates::rate_of_drive(double dt)
+{
+  if (drive == OSCILLATE)
+    return rheometer::oscillation_rate(target_x.now, amplitude.now, frequency, state.clock, dt);
+  if (drive == IV) return target_x.now * target_y.now / force->nktv2p / viscosity.now;
+  return target_x.now;
+}
+
+/* ----------------------------------------------------------------------
+   rates are those of the gap in the middle of the step
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::initial_integrate(int /*vflag*/)
+{
+  const double dt = update->dt;
+  evaluate_targets();
+  move_y(dt);
+  const double middle = state.gap + 0.5 * dt * state.vy;
+  state.gap += dt * state.vy;
+  if (!(state.gap > 0.0))
+    error->all(FLERR,
+               "Fix rheometer/plates: the plates have met at step {}; reduce the pressure, or put "
+               "more particles between them",
+               update->ntimestep);
+
+  if (drive == STRESS || drive == VELOCITY) {
+    if (drive == STRESS)
+      half_kick_x(dt);
+    else
+      state.vx = target_x.now;
+    state.rate = state.vx / middle;
+  } else {
+    state.rate = rate_of_drive(dt);
+    state.vx = state.rate * middle;
+  }
+  state.strain += state.rate * dt;
+  state.clock += dt;
+  move_particles(dt);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::move_particles(double dt)
+{
+  set_velocities();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & bit[UPPER]) {
+      atom->x[i][0] += dt * state.vx;
+      atom->x[i][1] += dt * state.vy;
+    }
+}
+
+void FixRheometerPlates::set_velocities()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & (bit[LOWER] | bit[UPPER]))) continue;
+    const bool moves = atom->mask[i] & bit[UPPER];
+    double *v = atom->v[i], *omega = atom->omega[i];
+    v[0] = moves ? state.vx : 0.0;
+    v[1] = moves ? state.vy : 0.0;
+    v[2] = omega[0] = omega[1] = omega[2] = 0.0;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::final_integrate()
+{
+  const double dt = update->dt;
+  if (drive == STRESS) half_kick_x(dt);
+  if (load == LOAD) half_kick_y(dt);
+  if (drive == STRESS || load == LOAD) set_velocities();
+  watch_targets(dt);
+}
+
+/* ----------------------------------------------------------------------
+   are the targets reached? warns once
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::watch_targets(double dt)
+{
+  const rheometer::Material m = material();
+  const rheometer::WallStress wall = stress_on(UPPER);
+  // returns the state of the target; w: rate at which its control answers
+  auto watch = [&](double measured, double target, double w, double &deviation, double &age,
+                   double &warned, const char *what, const char *cause) {
+    if (target == 0.0 || !std::isfinite(w) || w == 0.0) return rheometer::FOLLOWING;
+    const rheometer::Watch now =
+        rheometer::watch({deviation, age}, (measured - target) / target, w, dt);
+    deviation = now.deviation;
+    age = now.age;
+    if (!rheometer::unreachable(now)) return rheometer::FOLLOWING;
+    if (warned == 0.0 && comm->me == 0)
+      error->warning(FLERR,
+                     "Fix rheometer/plates does not reach the {} {:.6g}: it is {:.3g} on average; "
+                     "{}",
+                     what, target * force->nktv2p, (1.0 + deviation) * target * force->nktv2p,
+                     cause);
+    warned = 1.0;
+    return rheometer::UNREACHABLE;
+  };
+
+  state.code_x = state.code_y = rheometer::IDLE;
+  if (drive == STRESS) {
+    const double s = target_x.now / force->nktv2p;
+    state.code_x = watch(
+        wall.xy, s, rheometer::servo_rate(m, state.rate, s, rheometer::STRESS_FLOOR),
+        state.deviation_x, state.age_x, state.warned_x, "shear stress",
+        "the suspension cannot resist it, or the plate is so heavy that it still accelerates");
+  }
+  if (load == GAP) return;
+  const double p = target_y.now / force->nktv2p;
+  const double w = rheometer::servo_rate(m, state.rate, p, rheometer::PRESSURE_FLOOR);
+  state.code_y =
+      watch(wall.pressure, p, w, state.deviation_y, state.age_y, state.warned_y, "pressure",
+            "the suspension is jammed, too dilute to push, or the plate too slow");
+  if (load == PRESSURE && state.code_y == rheometer::FOLLOWING &&
+      fabs(state.dilation) >= gain * w * (1.0 - 1e-12))
+    state.code_y = rheometer::LIMITED;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixRheometerPlates::compute_vector(int n)
+{
+  const double unit = force->nktv2p;
+  const double phi = state.gap > 0.0 ? state.solid / (area() * state.gap) : 0.0;
+  const rheometer::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
+  const double values[] = {state.strain,
+                           state.rate,
+                           state.gap,
+                           state.vx,
+                           state.vy,
+                           phi,
+                           low.pressure * unit,
+                           up.pressure * unit,
+                           low.xy * unit,
+                           up.xy * unit,
+                           low.zy * unit,
+                           up.zy * unit,
+                           target_x.now,
+                           load == GAP ? 0.0 : target_y.now,
+                           state.code_x,
+                           state.code_y};
+  return values[n];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const int size = sizeof(State);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&state, sizeof(State), 1, fp);
+}
+
+void FixRheometerPlates::restart(char *buffer)
+{
+  memcpy(&state, buffer, sizeof(State));
+}

@@ -1,0 +1,133 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(rheometer/plates,FixRheometerPlates);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_RHEOMETER_PLATES_H
+#define LMP_FIX_RHEOMETER_PLATES_H
+
+#include "fix.h"
+
+#include <string>
+
+namespace rheometer {
+struct Material;
+struct WallStress;
+}    // namespace rheometer
+
+namespace LAMMPS_NS {
+
+class FixRheometerPlates : public Fix {
+ public:
+  FixRheometerPlates(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void min_setup(int) override;
+  void initial_integrate(int) override;
+  void post_force(int) override;
+  void min_post_force(int) override;
+  void final_integrate() override;
+  double compute_vector(int) override;
+  int modify_param(int, char **) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ protected:
+  enum Drive { RATE, VELOCITY, STRESS, OSCILLATE, IV };    // along x
+  enum Load { GAP, PRESSURE, LOAD };                       // along y
+  static constexpr const char *DRIVE_NAME[] = {"rate", "velocity", "stress", "oscillate", "iv"};
+  static constexpr const char *LOAD_NAME[] = {"gap", "pressure", "load"};
+  static constexpr const char *PLATE_NAME[] = {"lower", "upper"};
+
+  // a number, or an equal-style variable and its value in this step
+  struct Value {
+    double now = 0.0;
+    std::string variable;
+  };
+
+  // settings
+  int igroup_plate[2], bit[2];    // lower and upper
+  Drive drive;
+  Load load;
+  Value target_x;                     // rate (g0 of oscillate), velocity, stress, or iv
+  Value amplitude;                    // g1 of oscillate, 1/time
+  double frequency;                   // w of oscillate, 1/time
+  Value target_y;                     // pressure of pressure and load
+  Value viscosity;                    // pressure*time
+  bool own_viscosity;                 // given here, not by the pair style
+  double mass;                        // of the moving plate; 0: that of its particles
+  double damper_x, damper_y, gain;    // force/velocity, and of the servo
+
+  // what a restart file holds
+  struct State {
+    double gap = 0.0, vx = 0.0, vy = 0.0;    // gap 0: not yet known
+    double strain = 0.0, rate = 0.0;         // rate of the last step
+    double clock = 0.0;                      // time under this fix
+    double dilation = 0.0;                   // of the servo, 1/time
+    double deviation_x = 0.0, age_x = 0.0, warned_x = 0.0;
+    double deviation_y = 0.0, age_y = 0.0, warned_y = 0.0;
+    double code_x = 0.0, code_y = 0.0;       // rheometer::State
+    double solid = 0.0;                      // volume of the suspended particles
+    double density = 0.0, diameter = 0.0;    // and their means
+    double plate_mass = 0.0;                 // of the particles of the upper plate
+  } state;
+
+  double force_on[2][3];     // of the suspension on the plates
+  const double *pair_eta;    // viscosity of the pair style, or null
+
+  // input
+  struct Places;
+  int parse(int, char **, int);
+  void parse_drive(int, char **, int);
+  void parse_load(int, char **, int);
+  void parse_number(const std::string &, char **, int);
+  void check_combination(const Places &, char **) const;
+  Value parse_value(const char *) const;
+  int find_plate(const char *, int) const;
+  int place(char **, int) const;
+
+  // checks at the start of a run
+  void check_values() const;
+  void check_variable(const Value &, const char *) const;
+  void check_viscosity();
+  void check_cell() const;
+  void check_groups() const;
+  void check_integrators() const;
+  void check_exclusion(int) const;
+  bool excluded_by_group(int) const;
+  bool excluded_by_type(int) const;
+  void check_time_step() const;
+
+  // motion
+  double area() const;
+  double moving_mass() const;
+  rheometer::Material material() const;
+  rheometer::WallStress stress_on(int) const;
+  void measure_gap();
+  void measure_particles();
+  bool evaluate(Value &);
+  void evaluate_targets();
+  void move_y(double);
+  double rate_of_drive(double);
+  void half_kick_x(double);
+  void half_kick_y(double);
+  void move_particles(double);
+  void set_velocities();
+  void watch_targets(double);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

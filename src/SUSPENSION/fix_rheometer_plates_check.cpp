@@ -1,0 +1,255 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// What fix rheometer/plates checks at the start of a run, and of the values of variables.
+
+#include "fix_rheometer_plates.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "group.h"
+#include "input.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair.h"
+#include "rheometer_plate.h"
+#include "update.h"
+#include "variable.h"
+
+#include <cmath>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using rheometer::LOWER;
+using rheometer::UPPER;
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::init()
+{
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR,
+               "Fix rheometer/plates does not support run_style respa; use: run_style verlet");
+  check_cell();
+  check_groups();
+  for (int plate : {LOWER, UPPER}) check_exclusion(plate);
+  check_viscosity();
+  check_variable(target_x, DRIVE_NAME[drive]);
+  if (drive == OSCILLATE) check_variable(amplitude, "oscillate");
+  if (load != GAP) check_variable(target_y, LOAD_NAME[load]);
+  if (update->whichflag != 1) return;
+  check_integrators();
+  set_velocities();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_variable(const Value &value, const char *keyword) const
+{
+  if (value.variable.empty()) return;
+  const int found = input->variable->find(value.variable.c_str());
+  if (found < 0)
+    error->all(FLERR, "Variable {} for fix rheometer/plates {} does not exist", value.variable,
+               keyword);
+  if (!input->variable->equalstyle(found))
+    error->all(FLERR, "Variable {} for fix rheometer/plates {} is not equal-style", value.variable,
+               keyword);
+}
+
+/* ----------------------------------------------------------------------
+   of the fluid: given here, or that of pair style lubcontact
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_viscosity()
+{
+  pair_eta = nullptr;
+  if (own_viscosity) {
+    check_variable(viscosity, "viscosity");
+    return;
+  }
+  int dim = -1;
+  if (force->pair) pair_eta = static_cast<double *>(force->pair->extract("eta", dim));
+  if (dim != 0) pair_eta = nullptr;
+  const bool films = force->pair_match("^lubcontact", 0) != nullptr;
+  if (!pair_eta && (drive == IV || (films && load != GAP)))
+    error->all(FLERR,
+               "Fix rheometer/plates does not find the viscosity of the fluid in the pair style; "
+               "add: viscosity eta");
+}
+
+/* ----------------------------------------------------------------------
+   values of variables, in every step
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_values() const
+{
+  auto bad = [this](const char *keyword, const char *limit, double found) {
+    error->all(FLERR, "Fix rheometer/plates {} must be {}, but is {} at step {}", keyword, limit,
+               found, update->ntimestep);
+  };
+  if (!std::isfinite(target_x.now)) bad(DRIVE_NAME[drive], "finite", target_x.now);
+  if (!std::isfinite(amplitude.now)) bad("oscillate", "finite", amplitude.now);
+  if (load != GAP && !std::isfinite(target_y.now)) bad(LOAD_NAME[load], "finite", target_y.now);
+  if (load == PRESSURE && target_y.now <= 0.0) bad("pressure", "> 0", target_y.now);
+  if (!(viscosity.now >= 0.0)) bad("viscosity", ">= 0", viscosity.now);
+  if (drive == IV && viscosity.now == 0.0) bad("viscosity", "> 0 with iv", 0.0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_cell() const
+{
+  if (domain->yperiodic)
+    error->all(FLERR,
+               "Fix rheometer/plates: the plates would meet across the periodic boundary "
+               "along y; use: boundary p m p");
+  if (!domain->xperiodic || !domain->zperiodic)
+    error->all(FLERR, "Fix rheometer/plates: plates are endless along x{}; use: boundary p m p",
+               domain->dimension == 3 ? " and z" : "");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_groups() const
+{
+  enum { LOW, UP, BOTH, SUSPENDED, NUM };
+  bigint mine[NUM] = {0, 0, 0, 0}, all[NUM];
+  for (int i = 0; i < atom->nlocal; i++) {
+    const bool low = atom->mask[i] & bit[LOWER], up = atom->mask[i] & bit[UPPER];
+    if (low) mine[LOW]++;
+    if (up) mine[UP]++;
+    if (low && up) mine[BOTH]++;
+    if ((low || up) && (atom->mask[i] & groupbit)) mine[SUSPENDED]++;
+  }
+  MPI_Allreduce(mine, all, NUM, MPI_LMP_BIGINT, MPI_SUM, world);
+  for (int plate : {LOWER, UPPER})
+    if (all[plate == LOWER ? LOW : UP] == 0)
+      error->all(FLERR, "Fix rheometer/plates: group {} of the {} plate is empty",
+                 group->names[igroup_plate[plate]], PLATE_NAME[plate]);
+  if (all[BOTH])
+    error->all(FLERR, "Fix rheometer/plates: {} particles are in both plates", all[BOTH]);
+  if (all[SUSPENDED])
+    error->all(FLERR,
+               "Fix rheometer/plates: its group {} holds {} particles of the plates; use the group "
+               "of the particles between them, for example: group between subtract all {} {}",
+               group->names[igroup], all[SUSPENDED], group->names[igroup_plate[LOWER]],
+               group->names[igroup_plate[UPPER]]);
+}
+
+/* ----------------------------------------------------------------------
+   nobody else moves the plates
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_integrators() const
+{
+  const int plates = bit[LOWER] | bit[UPPER];
+  for (const auto &other : modify->get_fix_list()) {
+    if (other == this) continue;
+    int moved = other->time_integrate ? other->groupbit : 0;
+    const auto *cell = dynamic_cast<FixRheometerPlates *>(other);
+    if (cell) moved = cell->bit[LOWER] | cell->bit[UPPER];
+    bigint mine = 0, all;
+    for (int i = 0; i < atom->nlocal; i++)
+      if ((atom->mask[i] & plates) && (atom->mask[i] & moved)) mine++;
+    MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (all)
+      error->all(FLERR,
+                 "Fix {} {} moves {} particles of the plates, which fix rheometer/plates moves by "
+                 "itself; use for it: group {}",
+                 other->id, other->style, all, group->names[igroup]);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   particles of one plate overlap and must not interact
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_exclusion(int plate) const
+{
+  bigint mine = 0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & bit[plate]) mine++;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all < 2 || excluded_by_group(plate) || excluded_by_type(plate)) return;
+  const char *name = group->names[igroup_plate[plate]];
+  error->all(FLERR,
+             "Fix rheometer/plates: the particles of the {} plate interact with each other; add: "
+             "neigh_modify exclude group {} {}",
+             PLATE_NAME[plate], name, name);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixRheometerPlates::excluded_by_group(int plate) const
+{
+  for (int m = 0; m < neighbor->nex_group; m++) {
+    const int bit1 = group->bitmask[neighbor->ex1_group[m]];
+    const int bit2 = group->bitmask[neighbor->ex2_group[m]];
+    int mine = 1, all;
+    for (int i = 0; i < atom->nlocal; i++) {
+      const int mask = atom->mask[i];
+      if ((mask & bit[plate]) && !((mask & bit1) && (mask & bit2))) mine = 0;
+    }
+    MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, world);
+    if (all) return true;
+  }
+  return false;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixRheometerPlates::excluded_by_type(int plate) const
+{
+  const int ntypes = atom->ntypes;
+  std::vector<int> mine(ntypes + 1, 0), present(ntypes + 1);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & bit[plate]) mine[atom->type[i]] = 1;
+  MPI_Allreduce(mine.data(), present.data(), ntypes + 1, MPI_INT, MPI_MAX, world);
+  auto excluded = [](const Neighbor *n, int itype, int jtype) {
+    for (int m = 0; m < n->nex_type; m++)
+      if ((n->ex1_type[m] == itype && n->ex2_type[m] == jtype) ||
+          (n->ex1_type[m] == jtype && n->ex2_type[m] == itype))
+        return true;
+    return false;
+  };
+  for (int i = 1; i <= ntypes; i++)
+    for (int j = i; j <= ntypes; j++)
+      if (present[i] && present[j] && !excluded(neighbor, i, j)) return false;
+  return true;
+}
+
+/* ----------------------------------------------------------------------
+   a plate lighter than its particles is moved by their contacts faster than the particles are:
+   each has two partners of the stiffest pair of types
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_time_step() const
+{
+  if ((drive != STRESS && load != LOAD) || mass == 0.0 || !force->pair) return;
+  int dim = -1;
+  const auto *stiffness = static_cast<double **>(force->pair->extract("g", dim));
+  if (!stiffness || dim != 2) return;
+  double mine[2] = {0.0, 0.0}, stiffest, number;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & bit[UPPER])) continue;
+    mine[0] += 1.0;
+    for (int j = 1; j <= atom->ntypes; j++) mine[1] = MAX(mine[1], stiffness[atom->type[i]][j]);
+  }
+  MPI_Allreduce(&mine[0], &number, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&mine[1], &stiffest, 1, MPI_DOUBLE, MPI_MAX, world);
+  const double limit = rheometer::plate_step_limit(moving_mass(), 2.0 * number * stiffest);
+  if (update->dt > limit && comm->me == 0)
+    error->warning(FLERR,
+                   "Time step {} exceeds {:.4g}, where a plate of mass {:.6g} becomes unstable if "
+                   "all of its particles touch others: reduce it, or increase the mass",
+                   update->dt, limit, mass);
+}

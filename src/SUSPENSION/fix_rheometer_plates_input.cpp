@@ -1,0 +1,226 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// Arguments of fix rheometer/plates.
+
+#include "fix_rheometer_plates.h"
+
+#include "atom.h"
+#include "error.h"
+#include "group.h"
+#include "input.h"
+#include "rheometer_plate.h"
+
+#include <cmath>
+#include <map>
+
+using namespace LAMMPS_NS;
+using rheometer::LOWER;
+using rheometer::UPPER;
+
+// number of values of each keyword
+static const std::map<std::string, int> KEYWORDS = {
+    {"rate", 1}, {"velocity", 1}, {"stress", 1},   {"oscillate", 3}, {"iv", 1},
+    {"gap", 0},  {"pressure", 1}, {"load", 1},     {"mass", 1},      {"damper", 1},
+    {"drag", 1}, {"gain", 1},     {"viscosity", 1}};
+
+// where each keyword of one command stands
+struct FixRheometerPlates::Places : std::map<std::string, int> {};
+
+/* ----------------------------------------------------------------------
+   fix ID group rheometer/plates lower upper keyword value ...
+------------------------------------------------------------------------- */
+
+FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), igroup_plate{0, 0}, bit{0, 0}, drive(RATE), load(GAP), frequency(0.0),
+    own_viscosity(false), mass(0.0), damper_x(0.0), damper_y(0.0), gain(1.0), force_on{},
+    pair_eta(nullptr)
+{
+  if (narg < 5) utils::missing_cmd_args(FLERR, "fix rheometer/plates", error);
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
+    error->all(FLERR, "Fix rheometer/plates needs finite-size spheres; use: atom_style sphere");
+  for (int plate : {LOWER, UPPER}) {
+    igroup_plate[plate] = find_plate(arg[3 + plate], 3 + plate);
+    bit[plate] = group->bitmask[igroup_plate[plate]];
+  }
+  if (igroup_plate[LOWER] == igroup_plate[UPPER])
+    error->all(FLERR, 4, "Fix rheometer/plates needs two plates, but both are group {}", arg[4]);
+  const int end = parse(narg, arg, 5);
+  if (end < narg) error->all(FLERR, end, "Unknown fix rheometer/plates keyword: {}", arg[end]);
+
+  dynamic_group_allow = 1;
+  restart_global = 1;
+  vector_flag = 1;
+  size_vector = 16;
+  global_freq = 1;
+  extvector = 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixRheometerPlates::find_plate(const char *name, int iarg) const
+{
+  const int found = group->find(name);
+  if (found < 0)
+    error->all(FLERR, iarg, "Group {} of the {} plate of fix rheometer/plates does not exist", name,
+               PLATE_NAME[iarg - 3]);
+  if (group->dynamic[found])
+    error->all(FLERR, iarg, "Group {} of fix rheometer/plates must not be dynamic", name);
+  return found;
+}
+
+/* ----------------------------------------------------------------------
+   index for the error message, which underlines words of the whole command
+------------------------------------------------------------------------- */
+
+int FixRheometerPlates::place(char **arg, int iarg) const
+{
+  for (int n = 0; n < input->narg; n++)
+    if (input->arg[n] == arg[iarg]) return n;
+  return Error::NOLASTLINE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixRheometerPlates::Value FixRheometerPlates::parse_value(const char *word) const
+{
+  Value value;
+  if (utils::strmatch(word, "^v_"))
+    value.variable = word + 2;
+  else
+    value.now = utils::numeric(FLERR, word, false, lmp);
+  return value;
+}
+
+/* ----------------------------------------------------------------------
+   keywords from arg[iarg] on; returns the index of the first word that is none
+------------------------------------------------------------------------- */
+
+int FixRheometerPlates::parse(int narg, char **arg, int iarg)
+{
+  Places places;
+  while (iarg < narg) {
+    const std::string key = arg[iarg];
+    const auto known = KEYWORDS.find(key);
+    if (known == KEYWORDS.end()) break;
+    if (iarg + known->second >= narg)
+      utils::missing_cmd_args(FLERR, "fix rheometer/plates " + key, error);
+    if (places.count(key))
+      error->all(FLERR, place(arg, iarg), "Fix rheometer/plates {} is given twice", key);
+    places[key] = iarg;
+    for (int n = 0; n < 5; n++)
+      if (key == DRIVE_NAME[n]) parse_drive(n, arg, iarg);
+    for (int n = 0; n < 3; n++)
+      if (key == LOAD_NAME[n]) parse_load(n, arg, iarg);
+    parse_number(key, arg, iarg);
+    iarg += 1 + known->second;
+  }
+  check_combination(places, arg);
+  return iarg;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::parse_drive(int n, char **arg, int iarg)
+{
+  drive = static_cast<Drive>(n);
+  target_x = parse_value(arg[iarg + 1]);
+  state.deviation_x = state.age_x = state.warned_x = 0.0;
+  if (drive == IV && target_x.variable.empty() && target_x.now < 0.0)
+    error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates iv must be >= 0, but is {}",
+               arg[iarg + 1]);
+  if (drive != OSCILLATE) return;
+  amplitude = parse_value(arg[iarg + 2]);
+  frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
+  if (frequency <= 0.0)
+    error->all(FLERR, place(arg, iarg + 3),
+               "Fix rheometer/plates oscillate needs a frequency > 0, but it is {}", arg[iarg + 3]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::parse_load(int n, char **arg, int iarg)
+{
+  // the servo goes on with the motion that the plate has
+  if (n == PRESSURE && load != PRESSURE)
+    state.dilation = state.gap == 0.0 ? 0.0 : state.vy / state.gap;
+  load = static_cast<Load>(n);
+  state.deviation_y = state.age_y = state.warned_y = 0.0;
+  if (load == GAP) return;
+  target_y = parse_value(arg[iarg + 1]);
+  if (load == PRESSURE && target_y.variable.empty() && target_y.now <= 0.0)
+    error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates pressure must be > 0, but is {}",
+               arg[iarg + 1]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixRheometerPlates::parse_number(const std::string &key, char **arg, int iarg)
+{
+  if (key == "viscosity") {
+    viscosity = parse_value(arg[iarg + 1]);
+    own_viscosity = true;
+    if (viscosity.now < 0.0)
+      error->all(FLERR, place(arg, iarg + 1),
+                 "Fix rheometer/plates viscosity must be >= 0, but is {}", arg[iarg + 1]);
+    return;
+  }
+  double *number = nullptr;
+  if (key == "mass") number = &mass;
+  if (key == "gain") number = &gain;
+  if (key == "damper") number = &damper_y;
+  if (key == "drag") number = &damper_x;
+  if (!number) return;
+  *number = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+  const bool zero = key == "damper" || key == "drag";
+  if (*number < 0.0 || (*number == 0.0 && !zero))
+    error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates {} must be {} 0, but is {}", key,
+               zero ? ">=" : ">", arg[iarg + 1]);
+}
+
+/* ----------------------------------------------------------------------
+   keywords that exclude each other, or that cannot act
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::check_combination(const Places &places, char **arg) const
+{
+  auto only_one = [&](const auto &names, const char *direction) {
+    std::string first;
+    for (const char *name : names) {
+      if (!places.count(name)) continue;
+      if (!first.empty())
+        error->all(FLERR, place(arg, places.at(name)),
+                   "Fix rheometer/plates: {} and {} both set the motion along {}; choose one",
+                   first, name, direction);
+      first = name;
+    }
+  };
+  only_one(DRIVE_NAME, "x");
+  only_one(LOAD_NAME, "y");
+
+  auto need = [&](const char *name, bool acts, const char *what) {
+    if (places.count(name) && !acts)
+      error->all(FLERR, place(arg, places.at(name)),
+                 "Fix rheometer/plates {} cannot act without {}", name, what);
+  };
+  need("mass", drive == STRESS || load == LOAD, "stress or load");
+  need("damper", load == LOAD, "load");
+  need("drag", drive == STRESS, "stress");
+  need("gain", load == PRESSURE, "pressure");
+  need("viscosity", drive == STRESS || drive == IV || load != GAP, "iv, pressure, load or stress");
+  need("iv", load != GAP, "pressure or load");
+  need("gap", drive != IV, "another drive than iv, which needs pressure or load");
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixRheometerPlates::modify_param(int narg, char **arg)
+{
+  return parse(narg, arg, 0);
+}
