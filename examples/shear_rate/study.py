@@ -6,8 +6,7 @@ already holds, and draws study.png.
 """
 import argparse
 import csv
-import subprocess
-import tempfile
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -17,10 +16,11 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plot import law_boyer, law_chevremont, mean_and_error
-
 HERE = Path(__file__).resolve().parent
-TOOLS = HERE.parents[1] / "tools"
+sys.path.insert(0, str(HERE.parent / "scene"))
+import rheology
+from rheology import steady
+
 FIELDS = ["knob", "value", "eta_r", "error", "contact_n", "contact_t", "film_n", "film_t", "N1", "N2", "sigma_yy"]
 
 # knob -> list of (value shown, index variables of the deck)
@@ -45,24 +45,14 @@ CASES = {
 }
 
 
-def simulate(variables):
-    """Columns of stress.txt of one run on one rank."""
-    with tempfile.TemporaryDirectory() as folder:
-        command = [str(TOOLS / "lmp.sh"), "-in", str(HERE / "in.shear_rate"), "-log", "none", "-screen", "none"]
-        for name, value in variables.items():
-            command += ["-var", name, value]
-        command += ["-var", "packing", str(HERE.parent / "packing" / "packing.lmp"), "-var", "image", "no"]
-        subprocess.run(command, cwd=folder, check=True)
-        return np.loadtxt(Path(folder) / "stress.txt")[:, 1:]
-
-
 def measure(knob, value, variables):
-    data = simulate(variables)
-    steady = data[data[:, 0] >= 0.25 * data[-1, 0]]
-    eta_r, error = mean_and_error(steady[:, 1])
-    means = steady.mean(axis=0)
-    row = [knob, value, eta_r, error, *means[2:6], means[7] - means[8], means[8] - means[9], means[8]]
-    return dict(zip(FIELDS, [knob, value] + [f"{x:.3f}" for x in row[2:]]))
+    data = rheology.simulate(HERE / "in.shear_rate", {**variables, "image": "no"})
+    kept = {name[2:]: column[data["v_gamma"] >= 0.25 * data["v_gamma"][-1]] for name, column in data.items()}
+    found = steady.mean_error(kept["sxy"])
+    means = {name: column.mean() for name, column in kept.items()}
+    numbers = [found.mean, found.error, *(means[part] for part in ("contact_n", "contact_t", "film_n", "film_t")),
+               means["sxx"] - means["syy"], means["syy"] - means["szz"], means["syy"]]
+    return dict(zip(FIELDS, [knob, value] + [f"{x:.3f}" for x in numbers]))
 
 
 def draw(rows):
@@ -81,8 +71,8 @@ def draw(rows):
     y = -np.arange(len(labels))
     ax.barh(y, means, xerr=errors, color=colors, height=0.7, error_kw={"lw": 1})
     ax.axvline(means[0], color="k", lw=0.8, ls="--")
-    ax.axvline(law_chevremont(0.5), color="0.4", lw=0.8, ls=":")
-    ax.text(law_chevremont(0.5) - 0.5, 1.1, "laws of 2011 and 2019", fontsize=7, ha="right", color="0.3")
+    ax.axvline(rheology.eta_chevremont(0.5), color="0.4", lw=0.8, ls=":")
+    ax.text(rheology.eta_chevremont(0.5) - 0.5, 1.1, "laws of 2011 and 2019", fontsize=7, ha="right", color="0.3")
     ax.set(yticks=y, xlabel=r"$\eta_r$ at $\phi$ = 0.5", ylim=(y[-1] - 0.7, 2))
     ax.set_yticklabels(labels, fontsize=7)
     fig.tight_layout()
@@ -110,7 +100,7 @@ def main():
                 writer.writerows(rows)
     draw(rows)
     for phi in (0.3, 0.4, 0.45, 0.5, 0.54):
-        print(f"phi {phi}: Chevremont 2019 {law_chevremont(phi):.1f}, Boyer 2011 {law_boyer(phi):.1f}")
+        print(f"phi {phi}: Chevremont 2019 {rheology.eta_chevremont(phi):.1f}, Boyer 2011 {rheology.eta_boyer(phi):.1f}")
 
 
 if __name__ == "__main__":

@@ -68,6 +68,33 @@ def make_state(**variables):
     run("../state.lmp", ranks=1, **variables)
 
 
+def run_example(name, **variables):
+    """Runs the deck of examples/name here with other variables."""
+    examples = ROOT / "examples"
+    return run(os.path.relpath(examples / name / f"in.{name}", CASE), scene=examples / "scene",
+               packing=examples / "packing" / "packing.lmp", **variables)
+
+
+def read_stress():
+    """Columns of stress.txt, which the examples write, as a dict."""
+    sys.path.insert(0, str(ROOT / "tools"))
+    import steady
+    return steady.read_ave_time("stress.txt")
+
+
+def draw_example(name, *figures, options=()):
+    """Runs plot.py of examples/name here; what it prints. The figures must be there."""
+    for figure in figures:
+        Path(figure).unlink(missing_ok=True)
+    done = subprocess.run([sys.executable, str(ROOT / "examples" / name / "plot.py"), *options],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    print(done.stdout)
+    expect("plot.py runs", done.returncode == 0)
+    for figure in figures:
+        expect(f"{figure} is drawn", Path(figure).exists() and Path(figure).stat().st_size > 1e4)
+    return done.stdout
+
+
 def read_dump(name):
     """Columns of the last frame of a text dump, sorted by the column id, as a dict of arrays."""
     lines = Path(name).read_text().splitlines()

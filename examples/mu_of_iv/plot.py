@@ -1,0 +1,57 @@
+"""Figure of the table of study.py: mu(Iv), phi(Iv) and the parts of mu, over the laws of the literature.
+
+usage: tools/python.sh study.py --draw
+"""
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "scene"))
+import rheology
+
+COLORS = {"0": "#38761d", "0.3": "#b45f06", "0.5": "#1f4e79", "1": "#741b47"}
+IV = np.logspace(-3.3, 0.3, 100)
+
+
+def columns(rows, *names):
+    """Columns of the table; an unknown error is drawn as none."""
+    return (np.nan_to_num([float(row[name]) for row in rows]) for name in names)
+
+
+def draw(rows, name):
+    fig, axes = plt.subplots(1, 3, figsize=(13, 4.3))
+    frictions = sorted({row["friction"] for row in rows}, key=float)
+    for friction in frictions:
+        mine = [row for row in rows if row["friction"] == friction]
+        iv, mu, mu_error, phi, phi_error = columns(mine, "Iv", "mu", "mu_error", "phi", "phi_error")
+        style = {"fmt": "o", "ms": 4, "color": COLORS.get(friction, "k"), "label": f"friction {friction}"}
+        axes[0].errorbar(iv, mu, mu_error, **style)
+        axes[1].errorbar(iv, phi, phi_error, **style)
+        axes[1].plot(IV, rheology.phi_chevremont(IV, float(friction)), color=style["color"], lw=0.8)
+    axes[0].plot(IV, rheology.mu_chevremont(IV, 0.5), color="0.4", lw=1, label="Chevremont 2019, friction > 0.36")
+    axes[0].plot(IV, rheology.mu_boyer(IV), color="0.4", lw=1, ls="--", label="Boyer 2011")
+    axes[1].plot(IV, rheology.phi_boyer(IV), color="0.4", lw=1, ls="--", label="Boyer 2011")
+    axes[0].set(ylabel=r"$\mu = \sigma_{xy}/P$", yscale="log", ylim=(0.09, 6))
+    axes[1].set(ylabel=r"$\phi$", ylim=(0.27, 0.66))
+
+    mine = [row for row in rows if row["friction"] == "0.5"]
+    iv, *parts = columns(mine, "Iv", "contact_n", "contact_t", "film_n", "film_t")
+    for (label, color), part in zip(list(rheology.PARTS.values())[1:], parts):
+        axes[2].plot(iv, part, "o", ms=4, color=color, label=label)
+    axes[2].plot(iv, iv, "o", ms=4, color="0.6", label="fluid")
+    axes[2].plot(IV, 0.36 + 0.34 / (1 + 0.0133 / IV), color="0.4", lw=1, label="contact, Chevremont 2019")
+    axes[2].plot(IV, rheology.mu_chevremont(IV, 0.5) - 0.36 - 0.34 / (1 + 0.0133 / IV), color="0.4", lw=1, ls="-.",
+                 label="the rest, Chevremont 2019")
+    axes[2].set(ylabel=r"parts of $\mu$, friction 0.5", yscale="log", ylim=(5e-4, 5))
+    for ax in axes:
+        ax.set(xscale="log", xlabel=r"$I_v = \eta_f\dot\gamma/P$")
+        ax.legend(frameon=False, fontsize=7.5)
+    fig.tight_layout()
+    fig.savefig(name, dpi=140)
+    plt.close(fig)
+    print(f"wrote {name}")

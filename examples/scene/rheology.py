@@ -1,0 +1,118 @@
+"""What the examples share: laws from the literature, runs of a deck, and the stacked parts of the stress."""
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+TOOLS = HERE.parents[1] / "tools"
+sys.path.insert(0, str(TOOLS))
+import steady    # noqa: E402  pylint: disable=wrong-import-position
+
+# columns of stress.txt (scene/stress.lmp) -> name and color of the part
+PARTS = {"fluid": ("fluid", "0.8"), "v_contact_n": ("contact, normal", "#1f4e79"),
+         "v_contact_t": ("contact, tangential", "#6fa8dc"), "v_film_n": ("lubrication, normal", "#b45f06"),
+         "v_film_t": ("lubrication, tangential", "#f6b26b")}
+
+# W. Chevremont, B. Chareyre, H. Bodiguel, Phys. Rev. Fluids 4, 064302 (2019), eqs. 13 to 16 of the thesis
+
+
+def phi_m_chevremont(friction):
+    """Volume fraction at jamming, eq. 13."""
+    return 0.6301 - 0.0794 * (1 - np.exp(-friction / 0.4032))
+
+
+def phi_chevremont(iv, friction):
+    """Volume fraction at a viscous number, eq. 15."""
+    return phi_m_chevremont(friction) / (1 + np.sqrt(iv))
+
+
+def mu_chevremont(iv, friction):
+    """Shear stress over pressure at a viscous number, eq. 14; for friction >= 0.36."""
+    return 0.36 + 0.34 / (1 + 0.0133 / iv) + iv * (1 - phi_chevremont(iv, friction)) ** -2.5
+
+
+def eta_chevremont(phi, friction=0.5):
+    """Relative viscosity, eq. 16 = mu/Iv at phi(Iv)."""
+    iv = (phi_m_chevremont(friction) / phi - 1) ** 2
+    return mu_chevremont(iv, friction) / iv
+
+
+# F. Boyer, E. Guazzelli, O. Pouliquen, Phys. Rev. Lett. 107, 188301 (2011); measured with polystyrene and PMMA spheres
+
+PHI_M_BOYER = 0.585
+
+
+def phi_boyer(iv):
+    return PHI_M_BOYER / (1 + np.sqrt(iv))
+
+
+def mu_boyer(iv):
+    return 0.32 + 0.38 / (1 + 0.005 / iv) + iv + 2.5 * PHI_M_BOYER * np.sqrt(iv)
+
+
+def eta_boyer(phi):
+    iv = (PHI_M_BOYER / phi - 1) ** 2
+    return mu_boyer(iv) / iv
+
+
+def simulate(deck, variables, ranks=1, log="none"):
+    """Runs a deck of an example in a scratch folder; columns of its stress.txt as a dict."""
+    environment = dict(os.environ)
+    lmp = environment.pop("LAMMPS_EXECUTABLE", None)    # the tests say which; for the tools it would be one of the user
+    command = [environment["MPIRUN"], str(ranks), lmp] if lmp and "MPIRUN" in environment else \
+        [str(TOOLS / "lmp.sh"), "-n", str(ranks)]
+    command += ["-in", str(deck), "-log", log, "-screen", "none"]
+    with tempfile.TemporaryDirectory() as folder:
+        for name, value in {"scene": HERE, "packing": HERE.parent / "packing" / "packing.lmp", **variables}.items():
+            command += ["-var", name, str(value)]
+        subprocess.run(command, cwd=folder, check=True, env=environment)
+        return steady.read_ave_time(Path(folder) / "stress.txt")
+
+
+def estimate(values):
+    """Mean and error; the error is nan where the signal is too short to tell it."""
+    try:
+        found = steady.mean_error(values)
+        return found.mean, found.error
+    except steady.TooShort:
+        return float(np.mean(values)), float("nan")
+
+
+def steady_from(x, *signals):
+    """Where along x the steady part begins; half way, with a message, if there is none."""
+    try:
+        return x[steady.steady_start(*signals)]
+    except (steady.NotSteady, steady.TooShort) as problem:
+        print(f"no steady part found ({problem}): taking the last half")
+        return x[len(x) // 2]
+
+
+def stack_parts(ax, x, data, sign=1.0):
+    """Parts of the shear stress (times sign) against x, stacked on that of the fluid."""
+    parts = {name: data[name] for name in PARTS if name != "fluid"}
+    parts = {"fluid": data["v_sxy"] - sum(parts.values()) - data["v_inertia"], **parts}
+    bottom = np.zeros_like(x)
+    for name, part in parts.items():
+        label, color = PARTS[name]
+        ax.fill_between(x, bottom, bottom + sign * part, color=color, label=label, lw=0)
+        bottom = bottom + sign * part
+
+
+def legend(ax, **options):
+    """Legend in the order of the stack."""
+    handles, labels = ax.get_legend_handles_labels()
+    ax.legend(handles[::-1], labels[::-1], frameon=False, fontsize=8, **options)
+
+
+def image(name="particles.ppm"):
+    """Picture drawn by LAMMPS without its margins, or None; also saved as PNG."""
+    import matplotlib.pyplot as plt    # pylint: disable=import-outside-toplevel
+    if not Path(name).exists():
+        return None
+    picture = plt.imread(name)
+    plt.imsave(Path(name).with_suffix(".png"), picture)
+    return picture[20:-20, 60:-60]
