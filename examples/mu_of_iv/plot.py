@@ -44,9 +44,11 @@ def draw(rows, name):
     for (label, color), part in zip(list(rheology.PARTS.values())[1:], parts):
         axes[2].plot(iv, part, "o", ms=4, color=color, label=label)
     axes[2].plot(iv, iv, "o", ms=4, color="0.6", label="fluid")
+    axes[2].plot(iv, parts[0] + parts[1], "ks", mfc="none", ms=6, label="contact")
+    axes[2].plot(iv, parts[2] + parts[3] + iv, "kD", mfc="none", ms=6, label="films and fluid")
     axes[2].plot(IV, 0.36 + 0.34 / (1 + 0.0133 / IV), color="0.4", lw=1, label="contact, Chevremont 2019")
     axes[2].plot(IV, rheology.mu_chevremont(IV, 0.5) - 0.36 - 0.34 / (1 + 0.0133 / IV), color="0.4", lw=1, ls="-.",
-                 label="the rest, Chevremont 2019")
+                 label="films and fluid, Chevremont 2019")
     axes[2].set(ylabel=r"parts of $\mu$, friction 0.5", yscale="log", ylim=(5e-4, 5))
     for ax in axes:
         ax.set(xscale="log", xlabel=r"$I_v = \eta_f\dot\gamma/P$")

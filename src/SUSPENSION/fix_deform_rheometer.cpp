@@ -35,8 +35,8 @@ using rheometer::Gradient;
 static constexpr double ROUNDING = 1e-9;    // of a box length: more than a conversion of positions
 
 // clang-format off
-enum { FLOW, STRAIN, PATH, TIME, NOW_RATE, NOW_DILATION, XX, YY, ZZ, XY, P_MEAN, P_AGE, R_MEAN, R_AGE,
-       PARTICLES };
+enum { FLOW, STRAIN, PATH, TIME, NOW_RATE, NOW_DILATION, XX, YY, ZZ, XY, LX, LY, LZ, TILT, MOVED,
+       P_MEAN, P_AGE, R_MEAN, R_AGE, PARTICLES };
 // clang-format on
 static constexpr int RESTART_SIZE = PARTICLES + 4;
 static constexpr int PERATOM_RESTART = 4;    // this size, position
@@ -91,10 +91,12 @@ void FixDeformRheometer::setup_pre_exchange()
   for (int i = 0; i < atom->nlocal; i++)
     for (int d = 0; d < 3; d++) held[i][d] = atom->x[i][d];
 
+  stepped = false;
+  if (!fresh) return;    // goes on as it did
+  fresh = false;
   if (confinement == VOLUME) dilation = 0.0;
   update_targets();
   if (drive != STRESS) rate = next_rate();
-  moved = 0.0;
   set_gradient();
 }
 
@@ -138,15 +140,16 @@ void FixDeformRheometer::pre_neighbor()
 void FixDeformRheometer::check_cell() const
 {
   if (!force->pair) return;
+  const double cut = force->pair->cutforce;
   const double *hi = domain->h_inv;
   const double height[3] = {1.0 / sqrt(hi[0] * hi[0] + hi[5] * hi[5]), 1.0 / hi[1], 1.0 / hi[2]};
   for (int d = 0; d < domain->dimension; d++)
-    if (domain->periodicity[d] && height[d] < 2.0 * force->pair->cutforce)
+    if (domain->periodicity[d] && height[d] < 2.0 * cut)
       error->all(FLERR,
                  "Fix {}: at strain {:.6g} the height {:.6g} of the cell along {} has come below "
                  "twice the cutoff {:.6g} of the pair style, so that a pair could meet through two "
                  "images: start from a larger cell or stop earlier",
-                 style, strain, height[d], "xyz"[d], force -> pair -> cutforce);
+                 style, strain, height[d], "xyz"[d], cut);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -154,7 +157,7 @@ void FixDeformRheometer::check_cell() const
 void FixDeformRheometer::setup(int /*vflag*/)
 {
   measure_stress();
-  virial->addstep(update->ntimestep + 1);
+  virial->addstep((update->ntimestep / nevery + 1) * nevery);
 }
 
 /* ----------------------------------------------------------------------
@@ -167,10 +170,11 @@ void FixDeformRheometer::post_integrate()
   strain += rate * dt;
   path += fabs(rate) * dt;
   time += dt;
-  moved = dt;
+  moved += dt;
+  stepped = true;
 
   const Cell old = {domain->xprd, domain->yprd, domain->zprd, domain->xy};
-  const Cell cell = rheometer::advance(old, *gradient, dt);
+  const Cell cell = rheometer::advance(old, *cell_rate, dt);
   if (cell.lx != old.lx) domain->boxhi[0] = domain->boxlo[0] + cell.lx;
   if (cell.ly != old.ly) domain->boxhi[1] = domain->boxlo[1] + cell.ly;
   if (cell.lz != old.lz) domain->boxhi[2] = domain->boxlo[2] + cell.lz;
@@ -205,18 +209,18 @@ void FixDeformRheometer::pre_exchange()
 }
 
 /* ----------------------------------------------------------------------
-   the flow of the next step, and what the change means for the particles
+   called every nevery steps: the flow until the next time
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::end_of_step()
 {
   measure_stress();
-  virial->addstep(update->ntimestep + 1);
-  if (moved == 0.0) return;
+  virial->addstep(update->ntimestep + nevery);
+  if (!stepped) return;
 
   if (has_variables()) modify->clearstep_compute();
   update_targets();
-  if (has_variables()) modify->addstep_compute(update->ntimestep + 1);
+  if (has_variables()) modify->addstep_compute(update->ntimestep + nevery);
   const double rate_next = next_rate();
   const double dilation_next = next_dilation();
   judge();
@@ -226,16 +230,28 @@ void FixDeformRheometer::end_of_step()
 }
 
 /* ----------------------------------------------------------------------
-   flow of the next step. Each particle gets the change of velocity and of spin that keeps it in the flow
+   time until the flow is adjusted again
+------------------------------------------------------------------------- */
+
+double FixDeformRheometer::interval() const
+{
+  return (nevery - update->ntimestep % nevery) * update->dt;
+}
+
+/* ----------------------------------------------------------------------
+   new flow, in which the edges of the cell change at a constant velocity: so do the particles of the
+   flow, which need no further push until it is adjusted again. Now each gets the change of velocity
+   and of spin that keeps it in the flow
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::set_gradient()
 {
   const Gradient next = rheometer::gradient(static_cast<rheometer::Flow>(flow), domain->dimension,
-                                            rate, dilation, update->dt);
+                                            rate, dilation, interval());
   const Gradient k = rheometer::change(*gradient, next, moved);
   const double spin = -0.5 * (next.xy - gradient->xy);
   *gradient = next;
+  *cell_rate = rheometer::cell_rate(next, {domain->xprd, domain->yprd, domain->zprd, domain->xy});
   moved = 0.0;
   publish_rates();
   if (k.xx == 0.0 && k.yy == 0.0 && k.zz == 0.0 && k.xy == 0.0) return;
@@ -256,19 +272,16 @@ void FixDeformRheometer::set_gradient()
 }
 
 /* ----------------------------------------------------------------------
-   rates of change of the cell, from which LAMMPS makes the velocities of ghosts. They hold for the
-   whole step, as the velocities of the particles do, although the cell changes in it
+   rates of change of the cell, from which LAMMPS makes the velocities of ghosts
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::publish_rates()
 {
-  const Cell cell = {domain->xprd, domain->yprd, domain->zprd, domain->xy};
-  const Cell change = rheometer::cell_rate(*gradient, cell);
-  h_rate[0] = change.lx;
-  h_rate[1] = change.ly;
-  h_rate[2] = change.lz;
+  h_rate[0] = cell_rate->lx;
+  h_rate[1] = cell_rate->ly;
+  h_rate[2] = cell_rate->lz;
   h_rate[3] = h_rate[4] = 0.0;
-  h_rate[5] = change.xy;
+  h_rate[5] = cell_rate->xy;
   h_ratelo[0] = h_ratelo[1] = h_ratelo[2] = 0.0;
 }
 
@@ -287,6 +300,11 @@ void FixDeformRheometer::write_restart(FILE *fp)
                                     gradient->yy,
                                     gradient->zz,
                                     gradient->xy,
+                                    cell_rate->lx,
+                                    cell_rate->ly,
+                                    cell_rate->lz,
+                                    cell_rate->xy,
+                                    moved,
                                     watch_pressure->deviation,
                                     watch_pressure->age,
                                     watch_rate->deviation,
@@ -314,6 +332,9 @@ void FixDeformRheometer::restart(char *buf)
   rate = from[NOW_RATE];
   dilation = from[NOW_DILATION];
   *gradient = {from[XX], from[YY], from[ZZ], from[XY]};
+  *cell_rate = {from[LX], from[LY], from[LZ], from[TILT]};
+  moved = from[MOVED];
+  fresh = false;
   *watch_pressure = {from[P_MEAN], from[P_AGE]};
   *watch_rate = {from[R_MEAN], from[R_AGE]};
   std::copy_n(from + PARTICLES, 4, particles);

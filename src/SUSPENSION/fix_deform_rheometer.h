@@ -23,6 +23,7 @@ FixStyle(deform/rheometer,FixDeformRheometer);
 #include <vector>
 
 namespace rheometer {
+struct Cell;
 struct Gradient;
 struct Material;
 struct Watch;
@@ -62,7 +63,7 @@ class FixDeformRheometer : public FixDeform {
  protected:
   FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);
 
-  // a number or an equal-style variable, which is evaluated once a step
+  // a number or an equal-style variable, which is evaluated when the flow is adjusted
   struct Target {
     double value = 0.0;
     std::string name;
@@ -84,12 +85,15 @@ class FixDeformRheometer : public FixDeform {
 
   // state, in the restart file
   double strain, path, time, rate, dilation;
-  std::unique_ptr<rheometer::Gradient> gradient;    // of the present step
-  double moved;    // time over which it has moved the cell: 0 before it has, and in a rerun
+  std::unique_ptr<rheometer::Gradient> gradient;    // since the flow was last adjusted
+  std::unique_ptr<rheometer::Cell> cell_rate;    // and the change of the cell per time since then
+  double moved;                                  // time since then
   std::unique_ptr<rheometer::Watch> watch_pressure, watch_rate;
 
-  double measured_pressure, measured_stress;    // of the particles, in the present step
+  double measured_pressure, measured_stress;    // of the particles, when last adjusted
   int state;                                    // rheometer::State
+  bool fresh;                                   // the targets are new
+  bool stepped;    // the cell has moved in this run; it does not in a rerun
   bool warned;
   double particles[4];    // sums of volume, mass, radius, number
   std::unique_ptr<rheometer::Material> material;
@@ -99,6 +103,8 @@ class FixDeformRheometer : public FixDeform {
   bool from_restart;    // held comes from the restart file
 
   int parse(int, int, char **, bool);
+  int parse_drive(int, int, char **, bool);
+  void need_values(int, int, int, char **) const;
   Target parse_target(const char *) const;
   int parse_flow(int, const char *) const;
   void check_directions() const;
@@ -114,6 +120,7 @@ class FixDeformRheometer : public FixDeform {
   double next_dilation() const;
   void judge();
   void judge_stress();
+  double interval() const;
   void set_gradient();
   void publish_rates();
 };

@@ -26,6 +26,7 @@
 using namespace LAMMPS_NS;
 
 static constexpr int VECTOR_SIZE = 10;
+static constexpr int EVERY = 4;    // steps: far below the lag of the servos
 
 /* ----------------------------------------------------------------------
    what the parent is told: the directions that may move, so that no other fix moves them, too
@@ -70,11 +71,11 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
     FixDeform(lmp, static_cast<int>(args.size()), args.data()),
     flow(rheometer::SHEAR), drive(NONE_YET), amplitude(0.0), frequency(0.0), confinement(OPEN),
     viscosity_given(false), pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0),
-    rate(0.0), dilation(0.0), gradient(new rheometer::Gradient()), moved(0.0),
-    watch_pressure(new rheometer::Watch()), watch_rate(new rheometer::Watch()),
-    measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), warned(false),
-    particles(), material(new rheometer::Material()), virial(nullptr), held(nullptr),
-    from_restart(false)
+    rate(0.0), dilation(0.0), gradient(new rheometer::Gradient()), cell_rate(new rheometer::Cell()),
+    moved(0.0), watch_pressure(new rheometer::Watch()), watch_rate(new rheometer::Watch()),
+    measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), fresh(true),
+    stepped(false), warned(false), particles(), material(new rheometer::Material()),
+    virial(nullptr), held(nullptr), from_restart(false)
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "Fix {} needs finite-size spheres; use: atom_style sphere", style);
@@ -82,6 +83,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
   size_vector = VECTOR_SIZE;
   extvector = 0;
   global_freq = 1;
+  nevery = EVERY;
   dynamic_group_allow = 0;
   restart_peratom = 1;
   maxexchange = 3;
@@ -89,12 +91,18 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
   double start = 0.0;
   for (int iarg = 3; iarg < narg;) {
     if (strcmp(arg[iarg], "flow") == 0) {
-      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix deform/rheometer flow", error);
+      need_values(1, iarg, narg, arg);
       flow = parse_flow(iarg + 1, arg[iarg + 1]);
       iarg += 2;
     } else if (strcmp(arg[iarg], "start") == 0) {
-      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix deform/rheometer start", error);
+      need_values(1, iarg, narg, arg);
       start = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+      iarg += 2;
+    } else if (strcmp(arg[iarg], "every") == 0) {
+      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix deform/rheometer every", error);
+      nevery = utils::inumeric(FLERR, arg[iarg + 1], false, lmp);
+      if (nevery < 1)
+        error->all(FLERR, iarg + 1, "Fix {} every must be > 0, but is {}", style, arg[iarg + 1]);
       iarg += 2;
     } else {
       iarg = parse(iarg, narg, arg, true);
@@ -166,18 +174,10 @@ void FixDeformRheometer::check_directions() const
 int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
 {
   const std::string key = arg[iarg];
+  if (key == "rate" || key == "iv" || key == "stress" || key == "oscillate")
+    return parse_drive(iarg, narg, arg, pointer);
+
   const int where = pointer ? iarg : Error::NOPOINTER;
-  auto need = [&](int n) {
-    if (iarg + n >= narg)
-      utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, key), error);
-  };
-  auto set_drive = [&](Drive to) {
-    if (pointer && drive != NONE_YET)
-      error->all(FLERR, where,
-                 "Fix {} takes one of rate, iv, stress, oscillate; {} is one too many", style, key);
-    drive = to;
-    driven = parse_target(arg[iarg + 1]);
-  };
   auto set_confinement = [&](Confinement to) {
     if (pointer && confinement != OPEN)
       error->all(FLERR, where, "Fix {} takes one of pressure, volume; {} is one too many", style,
@@ -190,24 +190,18 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
                  zero ? ">=" : ">", arg[iarg + 1]);
   };
 
-  if (key == "rate" || key == "iv" || key == "stress") {
-    need(1);
-    set_drive(key == "rate" ? RATE : key == "iv" ? IV : STRESS);
-    return iarg + 2;
-  }
-  if (key == "oscillate") {
-    need(3);
-    set_drive(OSCILLATE);
-    time = 0.0;    // of the oscillation
-    amplitude = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
-    frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
-    return iarg + 4;
-  }
   if (key == "volume") {
     set_confinement(VOLUME);
     return iarg + 1;
   }
-  need(1);
+  if (key != "pressure" && key != "viscosity" && key != "gain")
+    error->all(FLERR, where,
+               pointer
+                   ? "Unknown fix {} keyword: {}"
+                   : "Fix {} {} cannot be changed by fix_modify; what can is: rate, iv, stress, "
+                     "oscillate, pressure, volume, viscosity, gain",
+               style, key);
+  need_values(1, iarg, narg, arg);
   if (key == "pressure") {
     set_confinement(PRESSURE);
     pressure = parse_target(arg[iarg + 1]);
@@ -216,19 +210,37 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
     viscosity = parse_target(arg[iarg + 1]);
     viscosity_given = true;
     positive(viscosity, true);
-  } else if (key == "gain") {
+  } else {
     Target number;
     number.value = gain = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     positive(number, false);
-  } else {
-    error->all(FLERR, where,
-               pointer
-                   ? "Unknown fix {} keyword: {}"
-                   : "Fix {} {} cannot be changed by fix_modify; what can is: rate, iv, stress, "
-                     "oscillate, pressure, volume, viscosity, gain",
-               style, key);
   }
   return iarg + 2;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer)
+{
+  const std::string key = arg[iarg];
+  if (pointer && drive != NONE_YET)
+    error->all(FLERR, iarg, "Fix {} takes one of rate, iv, stress, oscillate; {} is one too many",
+               style, key);
+  need_values(key == "oscillate" ? 3 : 1, iarg, narg, arg);
+  driven = parse_target(arg[iarg + 1]);
+  drive = key == "rate" ? RATE : key == "iv" ? IV : key == "stress" ? STRESS : OSCILLATE;
+  if (drive != OSCILLATE) return iarg + 2;
+  amplitude = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+  frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
+  return iarg + 4;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::need_values(int n, int iarg, int narg, char **arg) const
+{
+  if (iarg + n >= narg)
+    utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, arg[iarg]), error);
 }
 
 /* ----------------------------------------------------------------------
@@ -276,6 +288,7 @@ int FixDeformRheometer::modify_param(int narg, char **arg)
   find_variables();    // a run with "pre no" does not
   *watch_pressure = rheometer::Watch();
   *watch_rate = rheometer::Watch();
+  fresh = true;
   warned = false;
   return next;
 }

@@ -91,7 +91,7 @@ void FixDeformRheometer::measure_particles()
 
 void FixDeformRheometer::measure_stress()
 {
-  // what the flow of this step is at its end
+  // what has become of the flow, whose particles move at a constant velocity
   const Gradient g = rheometer::at_end(*gradient, moved);
   const double lo[3] = {domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]};
   const int nlocal = atom->nlocal;
@@ -154,11 +154,11 @@ double FixDeformRheometer::next_rate() const
     case IV:
       return driven.value * pressure.value / material->eta;
     case OSCILLATE:
-      return rheometer::oscillation_rate(driven.value, amplitude, frequency, time, update->dt);
+      return rheometer::oscillation_rate(driven.value, amplitude, frequency, time, interval());
     case STRESS:
       return rheometer::next_rate(*material, rate, measured_stress, driven.value,
                                   rheometer::trouton_ratio(static_cast<rheometer::Flow>(flow)),
-                                  update->dt);
+                                  interval());
     default:
       return driven.value;
   }
@@ -170,7 +170,7 @@ double FixDeformRheometer::next_dilation() const
 {
   if (confinement == VOLUME) return 0.0;
   return rheometer::next_dilation(*material, dilation, measured_pressure, pressure.value, rate,
-                                  gain, update->dt);
+                                  gain, interval());
 }
 
 /* ----------------------------------------------------------------------
@@ -184,18 +184,15 @@ void FixDeformRheometer::judge()
   if (confinement == PRESSURE) {
     const double target = pressure.value;
     const double w = servo_rate(*material, rate, target, PRESSURE_FLOOR);
-    *watch_pressure = watch(*watch_pressure, measured_pressure / target - 1.0, w, update->dt);
-    // the servo never gives more than it does against an infinite pressure
-    const double limit =
-        rheometer::next_dilation(*material, 0.0, INFINITY, target, rate, gain, update->dt);
-    state = fabs(dilation) < limit ? FOLLOWING : LIMITED;
+    *watch_pressure = watch(*watch_pressure, measured_pressure / target - 1.0, w, interval());
+    state = fabs(dilation) < dilation_limit(*material, target, rate, gain) ? FOLLOWING : LIMITED;
     if (unreachable(*watch_pressure)) {
       state = UNREACHABLE;
       if (!warned && comm->me == 0)
         error->warning(FLERR,
-                       "Fix {}: the pressure has been {:.4g} times its target {:.4g} for {:.3g} "
-                       "strain units: it cannot be reached in this scene",
-                       style, 1.0 + watch_pressure->deviation, target, watch_pressure->age);
+                       "Fix {}: the pressure, now {:.4g}, has been far from its target {:.4g} for "
+                       "{:.3g} units of strain: it cannot be reached in this scene",
+                       style, measured_pressure, target, watch_pressure->age);
       warned = true;
     }
   }
@@ -214,7 +211,7 @@ void FixDeformRheometer::judge_stress()
   if (state == IDLE) state = FOLLOWING;
   if (creep == 0.0) return;
   *watch_rate = watch(*watch_rate, fabs(rate) / creep,
-                      servo_rate(*material, rate, target, STRESS_FLOOR), update->dt);
+                      servo_rate(*material, rate, target, STRESS_FLOOR), interval());
   if (!jammed(*watch_rate)) return;
   state = UNREACHABLE;
   if (!warned && comm->me == 0)

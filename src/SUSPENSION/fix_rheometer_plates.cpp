@@ -341,7 +341,7 @@ void FixRheometerPlates::watch_targets(double dt)
       watch(wall.pressure, p, w, state.deviation_y, state.age_y, state.warned_y, "pressure",
             "the suspension is jammed, too dilute to push, or the plate too slow");
   if (load == PRESSURE && state.code_y == rheometer::FOLLOWING &&
-      fabs(state.dilation) >= gain * w * (1.0 - 1e-12))
+      fabs(state.dilation) >= rheometer::dilation_limit(m, p, state.rate, gain))
     state.code_y = rheometer::LIMITED;
 }
 

@@ -136,6 +136,7 @@ void FixRheometerPlates::parse_drive(int n, char **arg, int iarg)
     error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates iv must be >= 0, but is {}",
                arg[iarg + 1]);
   if (drive != OSCILLATE) return;
+  state.clock = 0.0;    // of the oscillation
   amplitude = parse_value(arg[iarg + 2]);
   frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
   if (frequency <= 0.0)

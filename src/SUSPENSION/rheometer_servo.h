@@ -68,6 +68,19 @@ inline double decay_mean(double x)
   return x < 1e-8 ? 1.0 - 0.5 * x : -std::expm1(-x) / x;
 }
 
+// C of the piston, with w of the present rate
+inline double piston_dashpot(const Material &m, double target, double w, double gain)
+{
+  return std::hypot(target / (gain * w), std::sqrt(8.0 * m.inertia * target));
+}
+
+// largest |dilation| that the servo gives
+inline double dilation_limit(const Material &m, double target, double rate, double gain)
+{
+  const double w = servo_rate(m, rate, target, PRESSURE_FLOOR);
+  return w == 0.0 ? 0.0 : target / piston_dashpot(m, target, w, gain);
+}
+
 // dilation for the next step; pressure: measured, compression positive; target > 0; gain: K
 inline double next_dilation(const Material &m, double dilation, double pressure, double target,
                             double rate, double gain, double dt)
@@ -75,7 +88,7 @@ inline double next_dilation(const Material &m, double dilation, double pressure,
   const double still = PRESSURE_FLOOR * rearrangement_rate(m, target);
   const double w = std::hypot(rate, still);
   if (w == 0.0) return 0.0;
-  const double dashpot = std::hypot(target / (gain * w), std::sqrt(8.0 * m.inertia * target));
+  const double dashpot = piston_dashpot(m, target, w, gain);
   const double rest = still * still / (w * w), quick = REST * still * rest * rest;
   const double inertia = LAG * target / (gain * (w * w + quick * quick)) + m.inertia;
   const double x = dashpot / inertia * dt;
