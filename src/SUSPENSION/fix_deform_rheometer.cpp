@@ -69,7 +69,7 @@ void FixDeformRheometer::init()
 
   virial = modify->get_compute_by_id(virial_id);
   if (!virial) error->all(FLERR, "Compute {} of fix {} was deleted", virial_id, style);
-  find_variables();
+  check_variables();
   if (!viscosity_given) find_viscosity();
   h_rate = domain->h_rate;
   h_ratelo = domain->h_ratelo;

@@ -18,6 +18,8 @@ FixStyle(deform/rheometer,FixDeformRheometer);
 
 #include "fix_deform.h"
 
+#include "rheometer_target.h"
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -63,22 +65,16 @@ class FixDeformRheometer : public FixDeform {
  protected:
   FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);
 
-  // a number or an equal-style variable, which is evaluated when the flow is adjusted
-  struct Target {
-    double value = 0.0;
-    std::string name;
-    int index = -1;
-  };
   enum Drive { NONE_YET, RATE, IV, STRESS, OSCILLATE };
   enum Confinement { OPEN, PRESSURE, VOLUME };
 
   int flow;    // rheometer::Flow
   Drive drive;
-  Target driven;    // rate, viscous number or stress; mean rate of an oscillation
+  RheometerTarget driven;    // rate, viscous number or stress; mean rate of an oscillation
   double amplitude, frequency;
   Confinement confinement;
-  Target pressure;
-  Target viscosity;    // of the fluid
+  RheometerTarget pressure;
+  RheometerTarget viscosity;    // of the fluid
   bool viscosity_given;
   const double *pair_viscosity;    // that of the pair style, if not given
   double gain;
@@ -105,10 +101,9 @@ class FixDeformRheometer : public FixDeform {
   int parse(int, int, char **, bool);
   int parse_drive(int, int, char **, bool);
   void need_values(int, int, int, char **) const;
-  Target parse_target(const char *) const;
   int parse_flow(int, const char *) const;
   void check_directions() const;
-  void find_variables();
+  void check_variables() const;
   bool has_variables() const;
   void update_targets();
   void check_cell() const;

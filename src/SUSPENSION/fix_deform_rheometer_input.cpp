@@ -12,13 +12,11 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
-#include "input.h"
 #include "memory.h"
 #include "modify.h"
 #include "rheometer_flow.h"
 #include "rheometer_servo.h"
 #include "update.h"
-#include "variable.h"
 
 #include <cstring>
 #include <vector>
@@ -184,8 +182,8 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
                  key);
     confinement = to;
   };
-  auto positive = [&](const Target &target, bool zero) {
-    if (target.name.empty() && !(zero ? target.value >= 0.0 : target.value > 0.0))
+  auto positive = [&](const RheometerTarget &target, bool zero) {
+    if (target.is_number() && !(zero ? target.value >= 0.0 : target.value > 0.0))
       error->all(FLERR, pointer ? iarg + 1 : where, "Fix {} {} must be {} 0, but is {}", style, key,
                  zero ? ">=" : ">", arg[iarg + 1]);
   };
@@ -204,14 +202,14 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
   need_values(1, iarg, narg, arg);
   if (key == "pressure") {
     set_confinement(PRESSURE);
-    pressure = parse_target(arg[iarg + 1]);
+    pressure = RheometerTarget(lmp, arg[iarg + 1]);
     positive(pressure, false);
   } else if (key == "viscosity") {
-    viscosity = parse_target(arg[iarg + 1]);
+    viscosity = RheometerTarget(lmp, arg[iarg + 1]);
     viscosity_given = true;
     positive(viscosity, true);
   } else {
-    Target number;
+    RheometerTarget number;
     number.value = gain = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     positive(number, false);
   }
@@ -227,7 +225,7 @@ int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer
     error->all(FLERR, iarg, "Fix {} takes one of rate, iv, stress, oscillate; {} is one too many",
                style, key);
   need_values(key == "oscillate" ? 3 : 1, iarg, narg, arg);
-  driven = parse_target(arg[iarg + 1]);
+  driven = RheometerTarget(lmp, arg[iarg + 1]);
   drive = key == "rate" ? RATE : key == "iv" ? IV : key == "stress" ? STRESS : OSCILLATE;
   if (drive != OSCILLATE) return iarg + 2;
   amplitude = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
@@ -243,39 +241,21 @@ void FixDeformRheometer::need_values(int n, int iarg, int narg, char **arg) cons
     utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, arg[iarg]), error);
 }
 
-/* ----------------------------------------------------------------------
-   a number or v_name
-------------------------------------------------------------------------- */
-
-FixDeformRheometer::Target FixDeformRheometer::parse_target(const char *word) const
-{
-  Target target;
-  if (utils::strmatch(word, "^v_"))
-    target.name = word + 2;
-  else
-    target.value = utils::numeric(FLERR, word, false, lmp);
-  return target;
-}
-
 /* ---------------------------------------------------------------------- */
 
-void FixDeformRheometer::find_variables()
+void FixDeformRheometer::check_variables() const
 {
-  for (Target *target : {&driven, &pressure, &viscosity}) {
-    if (target->name.empty()) continue;
-    target->index = input->variable->find(target->name.c_str());
-    if (target->index < 0)
-      error->all(FLERR, "Variable {} for fix {} does not exist", target->name, style);
-    if (!input->variable->equalstyle(target->index))
-      error->all(FLERR, "Variable {} for fix {} must be of style equal", target->name, style);
-  }
+  static constexpr const char *NAME[] = {"", "rate", "iv", "stress", "oscillate"};
+  driven.check(lmp, style, NAME[drive]);
+  pressure.check(lmp, style, "pressure");
+  viscosity.check(lmp, style, "viscosity");
 }
 
 /* ---------------------------------------------------------------------- */
 
 bool FixDeformRheometer::has_variables() const
 {
-  return !driven.name.empty() || !pressure.name.empty() || !viscosity.name.empty();
+  return !driven.is_number() || !pressure.is_number() || !viscosity.is_number();
 }
 
 /* ----------------------------------------------------------------------
@@ -285,7 +265,7 @@ bool FixDeformRheometer::has_variables() const
 int FixDeformRheometer::modify_param(int narg, char **arg)
 {
   const int next = parse(0, narg, arg, false);
-  find_variables();    // a run with "pre no" does not
+  check_variables();    // a run with "pre no" does not
   *watch_pressure = rheometer::Watch();
   *watch_rate = rheometer::Watch();
   fresh = true;

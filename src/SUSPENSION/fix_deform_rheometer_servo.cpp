@@ -16,13 +16,11 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
-#include "input.h"
 #include "math_const.h"
 #include "pair.h"
 #include "rheometer_flow.h"
 #include "rheometer_servo.h"
 #include "update.h"
-#include "variable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,13 +39,9 @@ static constexpr double ROUNDING = 1e-12;    // of a sum over particles
 
 void FixDeformRheometer::find_viscosity()
 {
-  pair_viscosity = nullptr;
-  Pair *pair = force->pair_match("^lubcontact", 0);
-  if (!pair) pair = force->pair_match("^lubcontact", 0, 1);
-  int dim;
-  if (pair) pair_viscosity = static_cast<double *>(pair->extract("eta", dim));
+  pair_viscosity = viscosity_of_pair(lmp);
   if (pair_viscosity) return;
-  if (pair)
+  if (force->pair_match("^lubcontact", 0) || force->pair_match("^lubcontact", 0, 1))
     error->all(FLERR,
                "The viscosity of pair style lubcontact is a variable: give the same to fix {}: "
                "viscosity v_name",
@@ -128,8 +122,7 @@ void FixDeformRheometer::measure_stress()
 
 void FixDeformRheometer::update_targets()
 {
-  for (Target *target : {&driven, &pressure, &viscosity})
-    if (!target->name.empty()) target->value = input->variable->compute_equal(target->index);
+  for (RheometerTarget *target : {&driven, &pressure, &viscosity}) target->evaluate(lmp);
   if (!viscosity_given && pair_viscosity) viscosity.value = *pair_viscosity;
 
   if (confinement == VOLUME && drive == IV)

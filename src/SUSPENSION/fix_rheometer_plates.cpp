@@ -17,13 +17,11 @@
 #include "error.h"
 #include "force.h"
 #include "group.h"
-#include "input.h"
 #include "modify.h"
 #include "rheometer_flow.h"
 #include "rheometer_plate.h"
 #include "rheometer_servo.h"
 #include "update.h"
-#include "variable.h"
 
 #include <cmath>
 #include <cstring>
@@ -163,7 +161,7 @@ double FixRheometerPlates::moving_mass() const
 rheometer::Material FixRheometerPlates::material() const
 {
   const double rho = state.density / force->ftm2v;
-  return {viscosity.now, rho, state.diameter, rho * state.diameter * state.gap};
+  return {viscosity.value, rho, state.diameter, rho * state.diameter * state.gap};
 }
 
 rheometer::WallStress FixRheometerPlates::stress_on(int plate) const
@@ -175,21 +173,14 @@ rheometer::WallStress FixRheometerPlates::stress_on(int plate) const
    targets of this step
 ------------------------------------------------------------------------- */
 
-bool FixRheometerPlates::evaluate(Value &value)
-{
-  if (value.variable.empty()) return false;
-  value.now = input->variable->compute_equal(input->variable->find(value.variable.c_str()));
-  return true;
-}
-
 void FixRheometerPlates::evaluate_targets()
 {
   modify->clearstep_compute();
   bool any = false;
-  for (Value *value : {&target_x, &amplitude, &target_y, &viscosity})
-    if (evaluate(*value)) any = true;
+  for (RheometerTarget *target : {&target_x, &amplitude, &target_y, &viscosity})
+    if (target->evaluate(lmp)) any = true;
   if (any) modify->addstep_compute(update->ntimestep + 1);
-  if (!own_viscosity) viscosity.now = pair_eta ? *pair_eta : 0.0;
+  if (!own_viscosity) viscosity.value = pair_eta ? *pair_eta : 0.0;
   check_values();
 }
 
@@ -197,13 +188,13 @@ void FixRheometerPlates::evaluate_targets()
 
 void FixRheometerPlates::half_kick_x(double dt)
 {
-  const double push = target_x.now / force->nktv2p * area() + force_on[UPPER][0];
+  const double push = target_x.value / force->nktv2p * area() + force_on[UPPER][0];
   state.vx = rheometer::damped_velocity(state.vx, push, moving_mass(), damper_x, 0.5 * dt);
 }
 
 void FixRheometerPlates::half_kick_y(double dt)
 {
-  const double push = force_on[UPPER][1] - target_y.now / force->nktv2p * area();
+  const double push = force_on[UPPER][1] - target_y.value / force->nktv2p * area();
   state.vy = rheometer::damped_velocity(state.vy, push, moving_mass(), damper_y, 0.5 * dt);
 }
 
@@ -217,7 +208,7 @@ void FixRheometerPlates::move_y(double dt)
     half_kick_y(dt);
   } else {
     state.dilation = rheometer::next_dilation(material(), state.dilation, stress_on(UPPER).pressure,
-                                              target_y.now / force->nktv2p, state.rate, gain, dt);
+                                              target_y.value / force->nktv2p, state.rate, gain, dt);
     state.vy = rheometer::dilation_velocity(state.gap, state.dilation, dt);
   }
 }
@@ -227,9 +218,9 @@ void FixRheometerPlates::move_y(double dt)
 double FixRheometerPlates::rate_of_drive(double dt)
 {
   if (drive == OSCILLATE)
-    return rheometer::oscillation_rate(target_x.now, amplitude.now, frequency, state.clock, dt);
-  if (drive == IV) return target_x.now * target_y.now / force->nktv2p / viscosity.now;
-  return target_x.now;
+    return rheometer::oscillation_rate(target_x.value, amplitude.value, frequency, state.clock, dt);
+  if (drive == IV) return target_x.value * target_y.value / force->nktv2p / viscosity.value;
+  return target_x.value;
 }
 
 /* ----------------------------------------------------------------------
@@ -253,7 +244,7 @@ void FixRheometerPlates::initial_integrate(int /*vflag*/)
     if (drive == STRESS)
       half_kick_x(dt);
     else
-      state.vx = target_x.now;
+      state.vx = target_x.value;
     state.rate = state.vx / middle;
   } else {
     state.rate = rate_of_drive(dt);
@@ -328,14 +319,14 @@ void FixRheometerPlates::watch_targets(double dt)
 
   state.code_x = state.code_y = rheometer::IDLE;
   if (drive == STRESS) {
-    const double s = target_x.now / force->nktv2p;
+    const double s = target_x.value / force->nktv2p;
     state.code_x = watch(
         wall.xy, s, rheometer::servo_rate(m, state.rate, s, rheometer::STRESS_FLOOR),
         state.deviation_x, state.age_x, state.warned_x, "shear stress",
         "the suspension cannot resist it, or the plate is so heavy that it still accelerates");
   }
   if (load == GAP) return;
-  const double p = target_y.now / force->nktv2p;
+  const double p = target_y.value / force->nktv2p;
   const double w = rheometer::servo_rate(m, state.rate, p, rheometer::PRESSURE_FLOOR);
   state.code_y =
       watch(wall.pressure, p, w, state.deviation_y, state.age_y, state.warned_y, "pressure",
@@ -364,8 +355,8 @@ double FixRheometerPlates::compute_vector(int n)
                            up.xy * unit,
                            low.zy * unit,
                            up.zy * unit,
-                           target_x.now,
-                           load == GAP ? 0.0 : target_y.now,
+                           target_x.value,
+                           load == GAP ? 0.0 : target_y.value,
                            state.code_x,
                            state.code_y};
   return values[n];

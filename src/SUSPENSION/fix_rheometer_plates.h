@@ -18,6 +18,8 @@ FixStyle(rheometer/plates,FixRheometerPlates);
 
 #include "fix.h"
 
+#include "rheometer_target.h"
+
 #include <string>
 
 namespace rheometer {
@@ -50,21 +52,15 @@ class FixRheometerPlates : public Fix {
   static constexpr const char *LOAD_NAME[] = {"gap", "pressure", "load"};
   static constexpr const char *PLATE_NAME[] = {"lower", "upper"};
 
-  // a number, or an equal-style variable and its value in this step
-  struct Value {
-    double now = 0.0;
-    std::string variable;
-  };
-
   // settings
   int igroup_plate[2], bit[2];    // lower and upper
   Drive drive;
   Load load;
-  Value target_x;                     // rate (g0 of oscillate), velocity, stress, or iv
-  Value amplitude;                    // g1 of oscillate, 1/time
+  RheometerTarget target_x;           // rate (g0 of oscillate), velocity, stress, or iv
+  RheometerTarget amplitude;          // g1 of oscillate, 1/time
   double frequency;                   // w of oscillate, 1/time
-  Value target_y;                     // pressure of pressure and load
-  Value viscosity;                    // pressure*time
+  RheometerTarget target_y;           // pressure of pressure and load
+  RheometerTarget viscosity;          // pressure*time
   bool own_viscosity;                 // given here, not by the pair style
   double mass;                        // of the moving plate; 0: that of its particles
   double damper_x, damper_y, gain;    // force/velocity, and of the servo
@@ -93,13 +89,11 @@ class FixRheometerPlates : public Fix {
   void parse_load(int, char **, int);
   void parse_number(const std::string &, char **, int);
   void check_combination(const Places &, char **) const;
-  Value parse_value(const char *) const;
   int find_plate(const char *, int) const;
   int place(char **, int) const;
 
   // checks at the start of a run
   void check_values() const;
-  void check_variable(const Value &, const char *) const;
   void check_viscosity();
   void check_cell() const;
   void check_groups() const;
@@ -116,7 +110,6 @@ class FixRheometerPlates : public Fix {
   rheometer::WallStress stress_on(int) const;
   void measure_gap();
   void measure_particles();
-  bool evaluate(Value &);
   void evaluate_targets();
   void move_y(double);
   double rate_of_drive(double);

@@ -17,13 +17,11 @@
 #include "error.h"
 #include "force.h"
 #include "group.h"
-#include "input.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "pair.h"
 #include "rheometer_plate.h"
 #include "update.h"
-#include "variable.h"
 
 #include <cmath>
 #include <vector>
@@ -43,26 +41,12 @@ void FixRheometerPlates::init()
   check_groups();
   for (int plate : {LOWER, UPPER}) check_exclusion(plate);
   check_viscosity();
-  check_variable(target_x, DRIVE_NAME[drive]);
-  if (drive == OSCILLATE) check_variable(amplitude, "oscillate");
-  if (load != GAP) check_variable(target_y, LOAD_NAME[load]);
+  target_x.check(lmp, style, DRIVE_NAME[drive]);
+  if (drive == OSCILLATE) amplitude.check(lmp, style, "oscillate");
+  if (load != GAP) target_y.check(lmp, style, LOAD_NAME[load]);
   if (update->whichflag != 1) return;
   check_integrators();
   set_velocities();
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixRheometerPlates::check_variable(const Value &value, const char *keyword) const
-{
-  if (value.variable.empty()) return;
-  const int found = input->variable->find(value.variable.c_str());
-  if (found < 0)
-    error->all(FLERR, "Variable {} for fix rheometer/plates {} does not exist", value.variable,
-               keyword);
-  if (!input->variable->equalstyle(found))
-    error->all(FLERR, "Variable {} for fix rheometer/plates {} is not equal-style", value.variable,
-               keyword);
 }
 
 /* ----------------------------------------------------------------------
@@ -73,12 +57,10 @@ void FixRheometerPlates::check_viscosity()
 {
   pair_eta = nullptr;
   if (own_viscosity) {
-    check_variable(viscosity, "viscosity");
+    viscosity.check(lmp, style, "viscosity");
     return;
   }
-  int dim = -1;
-  if (force->pair) pair_eta = static_cast<double *>(force->pair->extract("eta", dim));
-  if (dim != 0) pair_eta = nullptr;
+  pair_eta = viscosity_of_pair(lmp);
   const bool films = force->pair_match("^lubcontact", 0) != nullptr;
   if (!pair_eta && (drive == IV || (films && load != GAP)))
     error->all(FLERR,
@@ -96,12 +78,12 @@ void FixRheometerPlates::check_values() const
     error->all(FLERR, "Fix rheometer/plates {} must be {}, but is {} at step {}", keyword, limit,
                found, update->ntimestep);
   };
-  if (!std::isfinite(target_x.now)) bad(DRIVE_NAME[drive], "finite", target_x.now);
-  if (!std::isfinite(amplitude.now)) bad("oscillate", "finite", amplitude.now);
-  if (load != GAP && !std::isfinite(target_y.now)) bad(LOAD_NAME[load], "finite", target_y.now);
-  if (load == PRESSURE && target_y.now <= 0.0) bad("pressure", "> 0", target_y.now);
-  if (!(viscosity.now >= 0.0)) bad("viscosity", ">= 0", viscosity.now);
-  if (drive == IV && viscosity.now == 0.0) bad("viscosity", "> 0 with iv", 0.0);
+  if (!std::isfinite(target_x.value)) bad(DRIVE_NAME[drive], "finite", target_x.value);
+  if (!std::isfinite(amplitude.value)) bad("oscillate", "finite", amplitude.value);
+  if (load != GAP && !std::isfinite(target_y.value)) bad(LOAD_NAME[load], "finite", target_y.value);
+  if (load == PRESSURE && target_y.value <= 0.0) bad("pressure", "> 0", target_y.value);
+  if (!(viscosity.value >= 0.0)) bad("viscosity", ">= 0", viscosity.value);
+  if (drive == IV && viscosity.value == 0.0) bad("viscosity", "> 0 with iv", 0.0);
 }
 
 /* ---------------------------------------------------------------------- */

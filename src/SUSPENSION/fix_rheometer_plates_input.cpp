@@ -14,7 +14,6 @@
 #include "atom.h"
 #include "error.h"
 #include "group.h"
-#include "input.h"
 #include "rheometer_plate.h"
 
 #include <cmath>
@@ -86,18 +85,6 @@ int FixRheometerPlates::place(char **arg, int iarg) const
   return Error::NOLASTLINE;
 }
 
-/* ---------------------------------------------------------------------- */
-
-FixRheometerPlates::Value FixRheometerPlates::parse_value(const char *word) const
-{
-  Value value;
-  if (utils::strmatch(word, "^v_"))
-    value.variable = word + 2;
-  else
-    value.now = utils::numeric(FLERR, word, false, lmp);
-  return value;
-}
-
 /* ----------------------------------------------------------------------
    keywords from arg[iarg] on; returns the index of the first word that is none
 ------------------------------------------------------------------------- */
@@ -130,14 +117,14 @@ int FixRheometerPlates::parse(int narg, char **arg, int iarg)
 void FixRheometerPlates::parse_drive(int n, char **arg, int iarg)
 {
   drive = static_cast<Drive>(n);
-  target_x = parse_value(arg[iarg + 1]);
+  target_x = RheometerTarget(lmp, arg[iarg + 1]);
   state.deviation_x = state.age_x = state.warned_x = 0.0;
-  if (drive == IV && target_x.variable.empty() && target_x.now < 0.0)
+  if (drive == IV && target_x.is_number() && target_x.value < 0.0)
     error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates iv must be >= 0, but is {}",
                arg[iarg + 1]);
   if (drive != OSCILLATE) return;
   state.clock = 0.0;    // of the oscillation
-  amplitude = parse_value(arg[iarg + 2]);
+  amplitude = RheometerTarget(lmp, arg[iarg + 2]);
   frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
   if (frequency <= 0.0)
     error->all(FLERR, place(arg, iarg + 3),
@@ -154,8 +141,8 @@ void FixRheometerPlates::parse_load(int n, char **arg, int iarg)
   load = static_cast<Load>(n);
   state.deviation_y = state.age_y = state.warned_y = 0.0;
   if (load == GAP) return;
-  target_y = parse_value(arg[iarg + 1]);
-  if (load == PRESSURE && target_y.variable.empty() && target_y.now <= 0.0)
+  target_y = RheometerTarget(lmp, arg[iarg + 1]);
+  if (load == PRESSURE && target_y.is_number() && target_y.value <= 0.0)
     error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates pressure must be > 0, but is {}",
                arg[iarg + 1]);
 }
@@ -165,9 +152,9 @@ void FixRheometerPlates::parse_load(int n, char **arg, int iarg)
 void FixRheometerPlates::parse_number(const std::string &key, char **arg, int iarg)
 {
   if (key == "viscosity") {
-    viscosity = parse_value(arg[iarg + 1]);
+    viscosity = RheometerTarget(lmp, arg[iarg + 1]);
     own_viscosity = true;
-    if (viscosity.now < 0.0)
+    if (viscosity.value < 0.0)
       error->all(FLERR, place(arg, iarg + 1),
                  "Fix rheometer/plates viscosity must be >= 0, but is {}", arg[iarg + 1]);
     return;
