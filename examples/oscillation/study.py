@@ -1,7 +1,7 @@
 """Complex viscosity against the amplitude of strain: one run each, a table and the figure.
 
 usage: tools/python.sh study.py [--amplitude 0.02 ... 3] [--particles 500] [--path 10] [--jobs 2] [--draw]
-Each takes 10 units of strain in all, or 30 cycles. Appends to study.csv and skips the amplitudes it already holds. Five
+Each takes 10 units of strain in all, or 30 cycles. Appends to study.csv and skips the amplitudes it already holds. Four
 minutes on 2 cores.
 """
 import argparse

@@ -14,6 +14,7 @@
 #include "atom.h"
 #include "error.h"
 #include "group.h"
+#include "input.h"
 #include "rheometer_plate.h"
 
 #include <cmath>
