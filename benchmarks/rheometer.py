@@ -2,9 +2,9 @@
 
 usage: tools/python.sh benchmarks/rheometer.py [--ranks 2] [--rounds 20] [--particles 1000]
 
-Segments of the variants alternate in one process, so that what else the machine does spreads over all of them. The cost
-of a fix is read from LAMMPS' table: sections Pair (the virial) and Modify (the fix). Rebuilding the neighbor list is what
-shearing costs, with any fix.
+Segments of the variants alternate in one process, so that what else the machine does spreads over all of them. The fix
+costs time in the sections Pair (the virial) and Modify of LAMMPS' table; on several ranks Modify also holds the waiting for
+the slower rank, which the others do in Comm. Rebuilding the neighbor list is what shearing costs, with any fix.
 """
 import argparse
 import re
@@ -42,11 +42,13 @@ def main():
     found = segments(run.stdout)
     step = np.median(found["deform"][:, 0])
     print(f"{args.particles} particles, {args.ranks} ranks, {len(found['deform'])} segments of each variant")
-    print("what Pair and Modify take, over the time of a step with fix deform; medians, and quartiles of the difference")
+    print("over the time of a step with fix deform, in per cent: medians, and quartiles of the difference to fix deform")
     for name in VARIANTS:
-        extra = (found[name][:, 1] - found["deform"][:, 1]) / step
-        low, middle, high = 100 * np.percentile(extra, [25, 50, 75])
-        print(f"  {name:9s} {100 * np.median(found[name][:, 1]) / step:6.1f} %   against fix deform {middle:+5.1f} % ({low:+.1f} to {high:+.1f})")
+        text = f"  {name:9s}"
+        for column, what in enumerate(("step", "Pair and Modify")):
+            low, middle, high = 100 * np.percentile((found[name] - found["deform"])[:, column] / step, [25, 50, 75])
+            text += f"  {what} {100 * np.median(found[name][:, column]) / step:6.1f}, {middle:+5.1f} ({low:+.1f} to {high:+.1f})"
+        print(text)
 
 
 if __name__ == "__main__":

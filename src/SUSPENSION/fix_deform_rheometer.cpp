@@ -18,6 +18,7 @@
 #include "kspace.h"
 #include "memory.h"
 #include "modify.h"
+#include "output.h"
 #include "pair.h"
 #include "rheometer_flow.h"
 #include "rheometer_servo.h"
@@ -116,22 +117,21 @@ void FixDeformRheometer::restore_positions()
   }
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   positions of new ghosts come from lamda coordinates: make them as in all other steps, so that
+   a restarted run finds those of the run that wrote the file
+------------------------------------------------------------------------- */
 
 void FixDeformRheometer::setup_pre_neighbor()
 {
   if (update->whichflag == 1) restore_positions();
-  pre_neighbor();
+  comm->forward_comm();
+  check_cell();
 }
-
-/* ----------------------------------------------------------------------
-   positions of new ghosts come from lamda coordinates: make them as in all other steps, so that
-   a restarted run finds the same ones
-------------------------------------------------------------------------- */
 
 void FixDeformRheometer::pre_neighbor()
 {
-  comm->forward_comm();
+  if (update->ntimestep == output->next_restart) comm->forward_comm();
   check_cell();
 }
 

@@ -24,7 +24,7 @@
 using namespace LAMMPS_NS;
 
 static constexpr int VECTOR_SIZE = 10;
-static constexpr int EVERY = 4;    // steps: far below the lag of the servos
+static constexpr int EVERY = 8;    // steps: far below the lag of the servos
 
 /* ----------------------------------------------------------------------
    what the parent is told: the directions that may move, so that no other fix moves them, too
@@ -228,6 +228,7 @@ int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer
   driven = RheometerTarget(lmp, arg[iarg + 1]);
   drive = key == "rate" ? RATE : key == "iv" ? IV : key == "stress" ? STRESS : OSCILLATE;
   if (drive != OSCILLATE) return iarg + 2;
+  time = 0.0;    // of the oscillation
   amplitude = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
   frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
   return iarg + 4;
