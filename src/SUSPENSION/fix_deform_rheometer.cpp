@@ -16,7 +16,6 @@
 #include "error.h"
 #include "force.h"
 #include "kspace.h"
-#include "memory.h"
 #include "modify.h"
 #include "output.h"
 #include "pair.h"
@@ -24,9 +23,7 @@
 #include "rheometer_servo.h"
 #include "update.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -35,15 +32,9 @@ using rheometer::Gradient;
 
 static constexpr double ROUNDING = 1e-9;    // of a box length: more than a conversion of positions
 
-// clang-format off
-enum { FLOW, STRAIN, PATH, TIME, NOW_RATE, NOW_DILATION, XX, YY, ZZ, XY, LX, LY, LZ, TILT, MOVED,
-       P_MEAN, P_AGE, R_MEAN, R_AGE, PARTICLES };
-// clang-format on
-static constexpr int RESTART_SIZE = PARTICLES + 4;
-static constexpr int PERATOM_RESTART = 4;    // this size, position
-
 /* ----------------------------------------------------------------------
-   box moved together with the positions: a set-up finds the cell in which the forces were computed
+   the box moves together with the positions, in post_integrate: a set-up finds the cell in which the
+   forces were computed
 ------------------------------------------------------------------------- */
 
 int FixDeformRheometer::setmask()
@@ -67,6 +58,12 @@ void FixDeformRheometer::init()
                domain->xz, domain->yz);
   if (flow != rheometer::SHEAR && domain->triclinic && domain->xy != 0.0)
     error->all(FLERR, "Fix {} extends cells without tilt, but xy is {}", style, domain->xy);
+
+  if (update->whichflag == 2 && utils::strmatch(update->minimize_style, "^(fire|quickmin)") &&
+      comm->me == 0)
+    error->warning(FLERR,
+                   "min_style {} overwrites the velocities of the flow; use min_style cg or sd",
+                   update->minimize_style);
 
   virial = modify->get_compute_by_id(virial_id);
   if (!virial) error->all(FLERR, "Compute {} of fix {} was deleted", virial_id, style);
@@ -283,129 +280,4 @@ void FixDeformRheometer::publish_rates()
   h_rate[3] = h_rate[4] = 0.0;
   h_rate[5] = cell_rate->xy;
   h_ratelo[0] = h_ratelo[1] = h_ratelo[2] = 0.0;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixDeformRheometer::write_restart(FILE *fp)
-{
-  if (comm->me) return;
-  const double buf[RESTART_SIZE] = {static_cast<double>(flow),
-                                    strain,
-                                    path,
-                                    time,
-                                    rate,
-                                    dilation,
-                                    gradient->xx,
-                                    gradient->yy,
-                                    gradient->zz,
-                                    gradient->xy,
-                                    cell_rate->lx,
-                                    cell_rate->ly,
-                                    cell_rate->lz,
-                                    cell_rate->xy,
-                                    moved,
-                                    watch_pressure->deviation,
-                                    watch_pressure->age,
-                                    watch_rate->deviation,
-                                    watch_rate->age,
-                                    particles[0],
-                                    particles[1],
-                                    particles[2],
-                                    particles[3]};
-  const int size = sizeof(buf);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(buf, 1, size, fp);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixDeformRheometer::restart(char *buf)
-{
-  double from[RESTART_SIZE];
-  memcpy(from, buf, sizeof(from));
-  if (from[FLOW] != flow)
-    error->all(FLERR, "Fix {} cannot go on from a restart file with another flow", style);
-  strain = from[STRAIN];
-  path = from[PATH];
-  time = from[TIME];
-  rate = from[NOW_RATE];
-  dilation = from[NOW_DILATION];
-  *gradient = {from[XX], from[YY], from[ZZ], from[XY]};
-  *cell_rate = {from[LX], from[LY], from[LZ], from[TILT]};
-  moved = from[MOVED];
-  fresh = false;
-  *watch_pressure = {from[P_MEAN], from[P_AGE]};
-  *watch_rate = {from[R_MEAN], from[R_AGE]};
-  std::copy_n(from + PARTICLES, 4, particles);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixDeformRheometer::grow_arrays(int nmax)
-{
-  memory->grow(held, nmax, 3, "deform/rheometer:held");
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixDeformRheometer::copy_arrays(int i, int j, int /*delflag*/)
-{
-  memcpy(held[j], held[i], 3 * sizeof(double));
-}
-
-/* ---------------------------------------------------------------------- */
-
-int FixDeformRheometer::pack_exchange(int i, double *buf)
-{
-  memcpy(buf, held[i], 3 * sizeof(double));
-  return 3;
-}
-
-/* ---------------------------------------------------------------------- */
-
-int FixDeformRheometer::unpack_exchange(int nlocal, double *buf)
-{
-  memcpy(held[nlocal], buf, 3 * sizeof(double));
-  return 3;
-}
-
-/* ---------------------------------------------------------------------- */
-
-int FixDeformRheometer::pack_restart(int i, double *buf)
-{
-  buf[0] = PERATOM_RESTART;
-  memcpy(buf + 1, atom->x[i], 3 * sizeof(double));
-  return PERATOM_RESTART;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixDeformRheometer::unpack_restart(int nlocal, int nth)
-{
-  const double *extra = atom->extra[nlocal];
-  for (int n = 0; n < nth; n++) extra += static_cast<int>(*extra);
-  memcpy(held[nlocal], extra + 1, 3 * sizeof(double));
-  from_restart = true;
-}
-
-/* ---------------------------------------------------------------------- */
-
-int FixDeformRheometer::size_restart(int /*nlocal*/)
-{
-  return PERATOM_RESTART;
-}
-
-/* ---------------------------------------------------------------------- */
-
-int FixDeformRheometer::maxsize_restart()
-{
-  return PERATOM_RESTART;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixDeformRheometer::memory_usage()
-{
-  return FixDeform::memory_usage() + 3.0 * atom->nmax * sizeof(double);
 }

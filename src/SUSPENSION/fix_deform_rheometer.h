@@ -90,7 +90,7 @@ class FixDeformRheometer : public FixDeform {
   int state;                                    // rheometer::State
   bool fresh;                                   // the targets are new
   bool stepped;    // the cell has moved in this run; it does not in a rerun
-  bool warned;
+  bool warned, warned_every;
   double particles[4];    // sums of volume, mass, radius, number
   std::unique_ptr<rheometer::Material> material;
   class Compute *virial;

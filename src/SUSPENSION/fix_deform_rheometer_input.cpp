@@ -72,8 +72,8 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
     rate(0.0), dilation(0.0), gradient(new rheometer::Gradient()), cell_rate(new rheometer::Cell()),
     moved(0.0), watch_pressure(new rheometer::Watch()), watch_rate(new rheometer::Watch()),
     measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), fresh(true),
-    stepped(false), warned(false), particles(), material(new rheometer::Material()),
-    virial(nullptr), held(nullptr), from_restart(false)
+    stepped(false), warned(false), warned_every(false), particles(),
+    material(new rheometer::Material()), virial(nullptr), held(nullptr), from_restart(false)
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "Fix {} needs finite-size spheres; use: atom_style sphere", style);

@@ -41,7 +41,7 @@ void FixDeformRheometer::find_viscosity()
 {
   pair_viscosity = viscosity_of_pair(lmp);
   if (pair_viscosity) return;
-  if (force->pair_match("^lubcontact", 0) || force->pair_match("^lubcontact", 0, 1))
+  if (find_lubcontact(lmp))
     error->all(FLERR,
                "The viscosity of pair style lubcontact is a variable: give the same to fix {}: "
                "viscosity v_name",
@@ -80,7 +80,7 @@ void FixDeformRheometer::measure_particles()
 
 /* ----------------------------------------------------------------------
    stress of the particles: pair forces, and inertia relative to the flow. The compute only asks for
-   the virial in time; reducing it here together with the inertia saves one reduction a step
+   the virial in time; reducing it here together with the inertia saves one reduction
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::measure_stress()
@@ -174,6 +174,15 @@ void FixDeformRheometer::judge()
 {
   using namespace rheometer;
   state = IDLE;
+  if (!warned_every && (confinement == PRESSURE || drive == STRESS) &&
+      fabs(rate) * interval() > 0.5 * LAG) {
+    if (comm->me == 0)
+      error->warning(FLERR,
+                     "Fix {}: the strain {:.3g} between two adjustments of the flow is more than "
+                     "half the lag of the servos, {}: reduce every, or the time step",
+                     style, fabs(rate) * interval(), LAG);
+    warned_every = true;
+  }
   if (confinement == PRESSURE) {
     const double target = pressure.value;
     const double w = servo_rate(*material, rate, target, PRESSURE_FLOOR);

@@ -367,6 +367,10 @@ double FixRheometerPlates::compute_vector(int n)
 void FixRheometerPlates::write_restart(FILE *fp)
 {
   if (comm->me) return;
+  state.drive = drive;
+  state.load = load;
+  state.amplitude = amplitude.value;
+  state.frequency = frequency;
   const int size = sizeof(State);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(&state, sizeof(State), 1, fp);
@@ -375,4 +379,10 @@ void FixRheometerPlates::write_restart(FILE *fp)
 void FixRheometerPlates::restart(char *buffer)
 {
   memcpy(&state, buffer, sizeof(State));
+
+  // another drive or load than in the run that wrote the file begins anew, as after fix_modify
+  const bool other_wave = amplitude.is_number() && state.amplitude != amplitude.value;
+  if (state.drive != drive || (drive == OSCILLATE && (other_wave || state.frequency != frequency)))
+    start_drive();
+  if (state.load != load) start_load(false);
 }

@@ -69,8 +69,10 @@ class FixRheometerPlates : public Fix {
   struct State {
     double gap = 0.0, vx = 0.0, vy = 0.0;    // gap 0: not yet known
     double strain = 0.0, rate = 0.0;         // rate of the last step
-    double clock = 0.0;                      // time under this fix
-    double dilation = 0.0;                   // of the servo, 1/time
+    double drive = 0.0, load = 0.0;          // what it belongs to, and the oscillation
+    double amplitude = 0.0, frequency = 0.0;
+    double clock = 0.0;       // time since the oscillation was set
+    double dilation = 0.0;    // of the servo, 1/time
     double deviation_x = 0.0, age_x = 0.0, warned_x = 0.0;
     double deviation_y = 0.0, age_y = 0.0, warned_y = 0.0;
     double code_x = 0.0, code_y = 0.0;       // rheometer::State
@@ -85,6 +87,8 @@ class FixRheometerPlates : public Fix {
   // input
   struct Places;
   int parse(int, char **, int);
+  void start_drive();
+  void start_load(bool);
   void parse_drive(int, char **, int);
   void parse_load(int, char **, int);
   void parse_number(const std::string &, char **, int);

@@ -61,7 +61,7 @@ void FixRheometerPlates::check_viscosity()
     return;
   }
   pair_eta = viscosity_of_pair(lmp);
-  const bool films = force->pair_match("^lubcontact", 0) != nullptr;
+  const bool films = find_lubcontact(lmp) != nullptr;
   if (!pair_eta && (drive == IV || (films && load != GAP)))
     error->all(FLERR,
                "Fix rheometer/plates does not find the viscosity of the fluid in the pair style; "

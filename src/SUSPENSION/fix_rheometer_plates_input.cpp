@@ -113,18 +113,34 @@ int FixRheometerPlates::parse(int narg, char **arg, int iarg)
   return iarg;
 }
 
+/* ----------------------------------------------------------------------
+   new targets: nothing of the old ones is held against them
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::start_drive()
+{
+  state.clock = 0.0;    // of the oscillation
+  state.deviation_x = state.age_x = state.warned_x = 0.0;
+}
+
+void FixRheometerPlates::start_load(bool same)
+{
+  // the servo goes on with the motion that the plate has
+  if (load == PRESSURE && !same) state.dilation = state.gap == 0.0 ? 0.0 : state.vy / state.gap;
+  state.deviation_y = state.age_y = state.warned_y = 0.0;
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixRheometerPlates::parse_drive(int n, char **arg, int iarg)
 {
   drive = static_cast<Drive>(n);
   target_x = RheometerTarget(lmp, arg[iarg + 1]);
-  state.deviation_x = state.age_x = state.warned_x = 0.0;
+  start_drive();
   if (drive == IV && target_x.is_number() && target_x.value < 0.0)
     error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates iv must be >= 0, but is {}",
                arg[iarg + 1]);
   if (drive != OSCILLATE) return;
-  state.clock = 0.0;    // of the oscillation
   amplitude = RheometerTarget(lmp, arg[iarg + 2]);
   frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
   if (frequency <= 0.0)
@@ -136,11 +152,9 @@ void FixRheometerPlates::parse_drive(int n, char **arg, int iarg)
 
 void FixRheometerPlates::parse_load(int n, char **arg, int iarg)
 {
-  // the servo goes on with the motion that the plate has
-  if (n == PRESSURE && load != PRESSURE)
-    state.dilation = state.gap == 0.0 ? 0.0 : state.vy / state.gap;
+  const bool same = load == n;
   load = static_cast<Load>(n);
-  state.deviation_y = state.age_y = state.warned_y = 0.0;
+  start_load(same);
   if (load == GAP) return;
   target_y = RheometerTarget(lmp, arg[iarg + 1]);
   if (load == PRESSURE && target_y.is_number() && target_y.value <= 0.0)

@@ -21,10 +21,8 @@ enum Plate { LOWER, UPPER };
 // what the suspension does to a plate, per area; both plates show the same when nothing accelerates
 struct WallStress {
   double pressure = 0.0;    // compression positive
-  double
-      xy = 0.0,
-      zy =
-          0.0;    // along x and z; positive if it holds an upper plate back that moves along +x, +z
+  double xy = 0.0;          // positive if it holds back an upper plate that moves along +x
+  double zy = 0.0;          // the same along +z
 };
 
 // force: of the particles between the plates on the plate

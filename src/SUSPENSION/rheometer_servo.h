@@ -10,10 +10,10 @@
 // The two servos of a rheometer: a piston with mass and dashpot holds the particle pressure P by
 // the dilation e = d ln V/dt, a drive with mass holds the shear stress s by the rate g.
 //
-//   I de/dt + C e = p - P,              C^2 = (P/(K w))^2 + 8 I0 P,   I = lag P/(K w^2) + I0,
+//   I de/dt + C e = p - P,              C^2 = (P/(K w))^2 + 8 I0 P,   I = lag P/(K w1^2) + I0,
 //   I dg/dt + (T eta + D) g = s - s_p,  I = lag |s|/(g^2 + |g|/t + (floor/t)^2) + I0,   |e| <= P/C
 //
-// with w^2 = g^2 + (floor/t)^2, t = eta/P + d sqrt(rho/P) the time that a particle needs for its own
+// with w^2 = g^2 + (floor/t)^2, w1 = w but larger at rest, t = eta/P + d sqrt(rho/P) the time that a particle needs for its own
 // size under the stress: per strain while it flows, per t when it does not, so nothing has to be
 // tuned to the material. The mean of p is P because C is a constant of a steady flow; under an
 // oscillation it is the mean weighted by |g|, within 3 % for amplitudes of 0.1 and 1 % from 1 on.

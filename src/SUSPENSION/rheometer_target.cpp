@@ -53,10 +53,15 @@ bool RheometerTarget::evaluate(LAMMPS *lmp)
 
 /* ---------------------------------------------------------------------- */
 
-const double *LAMMPS_NS::viscosity_of_pair(LAMMPS *lmp)
+Pair *LAMMPS_NS::find_lubcontact(LAMMPS *lmp)
 {
   Pair *pair = lmp->force->pair_match("^lubcontact", 0);
-  if (!pair) pair = lmp->force->pair_match("^lubcontact", 0, 1);
+  return pair ? pair : lmp->force->pair_match("^lubcontact", 0, 1);
+}
+
+const double *LAMMPS_NS::viscosity_of_pair(LAMMPS *lmp)
+{
+  Pair *pair = find_lubcontact(lmp);
   int dim;
   return pair ? static_cast<const double *>(pair->extract("eta", dim)) : nullptr;
 }

@@ -14,6 +14,7 @@
 
 namespace LAMMPS_NS {
 class LAMMPS;
+class Pair;
 
 // What an input script gives as a number or as v_name, an equal-style variable
 struct RheometerTarget {
@@ -27,7 +28,10 @@ struct RheometerTarget {
   bool evaluate(LAMMPS *);    // true for a variable
 };
 
-// viscosity of pair style lubcontact, alone or under hybrid; null without it, or if it is a variable
+// pair style lubcontact, alone or the first under hybrid, or null
+Pair *find_lubcontact(LAMMPS *);
+
+// its viscosity; null without it, or if it is a variable
 const double *viscosity_of_pair(LAMMPS *);
 
 }    // namespace LAMMPS_NS

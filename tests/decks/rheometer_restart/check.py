@@ -10,7 +10,8 @@ CASES = {
     "viscous number and pressure, variables": {"drive": "iv v_swing", "hold": "pressure v_swing"},
     "stress and volume": {"drive": "stress 30", "hold": "volume"},
     "stress and pressure": {"drive": "stress 30", "hold": "pressure 20"},
-    "oscillation": {"drive": "oscillate 0.5 2 30", "hold": "pressure 20"},
+    "between two adjustments": {"drive": "stress 30", "hold": "pressure 20 every 7"},
+    "oscillation": {"drive": "oscillate 0.5 2 30", "hold": "pressure 20 every 7"},
     "flip in the step of the restart": {"tilt": 0.4 + 0.5 * 5e-4},
     "flip just before": {"tilt": 0.4 + 1.5 * 5e-4},
     "planar": {"flow": "planar", "drive": "rate 0.2", "hold": "pressure 20"},
@@ -40,6 +41,11 @@ for what, variables in CASES.items():
     if "flip" in what:
         step = t["Step"][:-1][np.diff(t["Xy"]) < 0][0]
         deck.expect(f"{what}: it does", step == 190, step)
+# other targets after the restart begin at once, as after fix_modify
+for then in ("oscillate 0.5 2 30", "rate -1", "stress 30", "pressure 20"):
+    straight = deck.run("in.straight", grid=GRID, hold="volume every 7", pause="yes", turn="yes", then=then)
+    other = {"hold": "pressure 20 every 7"} if "pressure" in then else {"drive": then, "hold": "volume every 7"}
+    same(f"then {then}", straight, deck.run("in.restarted", grid=GRID, **other))
 tables = [deck.run("in.unreachable", **{"from": start}).thermo() for start in ("start", "restart")]
 deck.expect("judged in the same step", tables[1]["f_rheometer[10]"][1] == 1 and tables[1]["f_rheometer[10]"][-1] == 3
             and np.array_equal(tables[0]["f_rheometer[10]"][-300:], tables[1]["f_rheometer[10]"][-300:]))
