@@ -70,8 +70,9 @@ class FixDeformRheometer : public FixDeform {
 
   int flow;    // rheometer::Flow
   Drive drive;
-  RheometerTarget driven;    // rate, viscous number or stress; mean rate of an oscillation
-  double amplitude, frequency;
+  RheometerTarget driven;       // rate, viscous number or stress; mean rate of an oscillation
+  RheometerTarget amplitude;    // of an oscillation
+  double frequency;
   Confinement confinement;
   RheometerTarget pressure;
   RheometerTarget viscosity;    // of the fluid

@@ -67,7 +67,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg) :
 FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
                                        std::vector<char *> args) :
     FixDeform(lmp, static_cast<int>(args.size()), args.data()),
-    flow(rheometer::SHEAR), drive(NONE_YET), amplitude(0.0), frequency(0.0), confinement(OPEN),
+    flow(rheometer::SHEAR), drive(NONE_YET), frequency(0.0), confinement(OPEN),
     viscosity_given(false), pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0),
     rate(0.0), dilation(0.0), gradient(new rheometer::Gradient()), cell_rate(new rheometer::Cell()),
     moved(0.0), watch_pressure(new rheometer::Watch()), watch_rate(new rheometer::Watch()),
@@ -229,7 +229,7 @@ int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer
   drive = key == "rate" ? RATE : key == "iv" ? IV : key == "stress" ? STRESS : OSCILLATE;
   if (drive != OSCILLATE) return iarg + 2;
   time = 0.0;    // of the oscillation
-  amplitude = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+  amplitude = RheometerTarget(lmp, arg[iarg + 2]);
   frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
   return iarg + 4;
 }
@@ -248,6 +248,7 @@ void FixDeformRheometer::check_variables() const
 {
   static constexpr const char *NAME[] = {"", "rate", "iv", "stress", "oscillate"};
   driven.check(lmp, style, NAME[drive]);
+  amplitude.check(lmp, style, NAME[OSCILLATE]);
   pressure.check(lmp, style, "pressure");
   viscosity.check(lmp, style, "viscosity");
 }
@@ -256,7 +257,8 @@ void FixDeformRheometer::check_variables() const
 
 bool FixDeformRheometer::has_variables() const
 {
-  return !driven.is_number() || !pressure.is_number() || !viscosity.is_number();
+  return !driven.is_number() || !amplitude.is_number() || !pressure.is_number() ||
+      !viscosity.is_number();
 }
 
 /* ----------------------------------------------------------------------

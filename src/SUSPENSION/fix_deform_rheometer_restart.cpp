@@ -38,7 +38,7 @@ void FixDeformRheometer::write_restart(FILE *fp)
                                     static_cast<double>(flow),
                                     static_cast<double>(drive),
                                     driven.value,
-                                    amplitude,
+                                    amplitude.value,
                                     frequency,
                                     static_cast<double>(confinement),
                                     pressure.value,
@@ -91,8 +91,9 @@ void FixDeformRheometer::restart(char *buf)
   moved = from[MOVED];
 
   // other targets than in the run that wrote the file begin at once, as after fix_modify
-  const bool turned = drive != from[DRIVE] ||
-      (drive == OSCILLATE && (amplitude != from[AMPLITUDE] || frequency != from[FREQUENCY]));
+  const bool other_wave = frequency != from[FREQUENCY] ||
+      (amplitude.is_number() && amplitude.value != from[AMPLITUDE]);
+  const bool turned = drive != from[DRIVE] || (drive == OSCILLATE && other_wave);
   const bool moved_target = turned || confinement != from[CONFINEMENT] ||
       (driven.is_number() && driven.value != from[DRIVEN]) ||
       (pressure.is_number() && pressure.value != from[PRESSED]);

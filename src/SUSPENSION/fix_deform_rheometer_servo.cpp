@@ -122,7 +122,8 @@ void FixDeformRheometer::measure_stress()
 
 void FixDeformRheometer::update_targets()
 {
-  for (RheometerTarget *target : {&driven, &pressure, &viscosity}) target->evaluate(lmp);
+  for (RheometerTarget *target : {&driven, &amplitude, &pressure, &viscosity})
+    target->evaluate(lmp);
   if (!viscosity_given && pair_viscosity) viscosity.value = *pair_viscosity;
 
   if (confinement == VOLUME && drive == IV)
@@ -147,7 +148,8 @@ double FixDeformRheometer::next_rate() const
     case IV:
       return driven.value * pressure.value / material->eta;
     case OSCILLATE:
-      return rheometer::oscillation_rate(driven.value, amplitude, frequency, time, interval());
+      return rheometer::oscillation_rate(driven.value, amplitude.value, frequency, time,
+                                         interval());
     case STRESS:
       return rheometer::next_rate(*material, rate, measured_stress, driven.value,
                                   rheometer::trouton_ratio(static_cast<rheometer::Flow>(flow)),

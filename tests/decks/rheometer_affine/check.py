@@ -92,6 +92,10 @@ t = lattice("oscillation", drive="oscillate 0.5 2 30")
 time = DT * t["Step"]
 deck.expect_close("oscillation: strain", t["f_rheometer[1]"], 0.5 * time + 2 / 30 * np.sin(30 * time), atol=1e-13)
 deck.expect_close("oscillation: tilt", t["Xy"] / t["Ly"], t["f_rheometer[1]"], atol=1e-13)
+t = lattice("oscillation of growing amplitude", drive="oscillate 0 v_growing 30")
+step = t["Step"]    # the mean over a step in which the amplitude is that of its beginning
+mean = np.cos(30 * DT * (step + 0.5)) * np.sinc(0.5 * 30 * DT / np.pi)
+deck.expect_close("oscillation: growing rate", t["f_rheometer[2]"][1:], (0.01 * step * mean)[1:], atol=1e-12)
 t = lattice("expanding flip", drive="rate 1", tilt=0.4, hold="pressure 1 gain 0.1", flips=1)
 limited = t["f_rheometer[8]"][:-1] >= (1 - 1e-12) / np.hypot(1 / 0.1, np.sqrt(8 * 4))    # P/C of the servo
 deck.expect("state at the limit of the dilation", np.array_equal(t["f_rheometer[10]"][1:], np.where(limited, 2, 1)),
@@ -151,6 +155,7 @@ deck.expect("is judged so", tables[1]["f_rheometer[10]"][-1] == 3)
 deck.expect("fix_modify begins anew", tables[-1]["f_rheometer[10]"][-1] == 1, tables[-1]["f_rheometer[10]"])
 cloud("ramp", drive="rate v_ramp", hold=compressing, then="rate 0")
 cloud("oscillation", drive="oscillate 1 5 20", hold=compressing, then="oscillate 0 3 100")
+cloud("oscillation of growing amplitude", drive="oscillate 0 v_ramp 20", hold=compressing, then="rate 0")
 for flow in ("planar", "uniaxial"):
     cloud(flow, flow=flow, drive="rate v_ramp", hold=compressing, steps=200, then="rate -1")
 deck.finish()
