@@ -1,0 +1,131 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// What the user types for pair style lubcontact: settings, coefficients, restart, data files.
+
+#include "pair_lubcontact.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::write_restart_settings(FILE *fp)
+{
+  const int length = eta_name ? static_cast<int>(strlen(eta_name)) + 1 : 0;
+  fwrite(&length, sizeof(int), 1, fp);
+  if (length) fwrite(eta_name, 1, length, fp);
+  const double numbers[3] = {eta, hc, roll_coeff};
+  const int choices[7] = {range_rule,  radius_rule, euler,      mode[SQUEEZE],
+                          mode[SHEAR], mode[ROLL],  mode[TWIST]};
+  fwrite(numbers, sizeof(double), 3, fp);
+  fwrite(choices, sizeof(int), 7, fp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::read_restart_settings(FILE *fp)
+{
+  int length = 0;
+  double numbers[3];
+  int choices[7];
+  const bool root = comm->me == 0;
+  if (root) utils::sfread(FLERR, &length, sizeof(int), 1, fp, nullptr, error);
+  MPI_Bcast(&length, 1, MPI_INT, 0, world);
+  delete[] eta_name;
+  eta_name = length ? new char[length] : nullptr;
+  if (length) {
+    if (root) utils::sfread(FLERR, eta_name, 1, length, fp, nullptr, error);
+    MPI_Bcast(eta_name, length, MPI_CHAR, 0, world);
+  }
+  if (root) utils::sfread(FLERR, numbers, sizeof(double), 3, fp, nullptr, error);
+  if (root) utils::sfread(FLERR, choices, sizeof(int), 7, fp, nullptr, error);
+  MPI_Bcast(numbers, 3, MPI_DOUBLE, 0, world);
+  MPI_Bcast(choices, 7, MPI_INT, 0, world);
+
+  eta = numbers[0];
+  hc = numbers[1];
+  roll_coeff = numbers[2];
+  range_rule = choices[0];
+  radius_rule = choices[1];
+  euler = choices[2];
+  for (int m = 0; m < 4; m++) mode[m] = choices[3 + m];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::write_restart(FILE *fp)
+{
+  write_restart_settings(fp);
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      const int flags[2] = {setflag[i][j], coulomb[i][j]};
+      fwrite(flags, sizeof(int), 2, fp);
+      if (!setflag[i][j]) continue;
+      const double values[5] = {g[i][j], kt[i][j], asperity[i][j], roughness[i][j], friction[i][j]};
+      fwrite(values, sizeof(double), 5, fp);
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::read_restart(FILE *fp)
+{
+  read_restart_settings(fp);
+  if (!allocated) allocate();
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      int flags[2];
+      double values[5];
+      if (comm->me == 0) utils::sfread(FLERR, flags, sizeof(int), 2, fp, nullptr, error);
+      MPI_Bcast(flags, 2, MPI_INT, 0, world);
+      setflag[i][j] = flags[0];
+      coulomb[i][j] = flags[1];
+      if (!setflag[i][j]) continue;
+      if (comm->me == 0) utils::sfread(FLERR, values, sizeof(double), 5, fp, nullptr, error);
+      MPI_Bcast(values, 5, MPI_DOUBLE, 0, world);
+      g[i][j] = values[0];
+      kt[i][j] = values[1];
+      asperity[i][j] = values[2];
+      roughness[i][j] = values[3];
+      friction[i][j] = values[4];
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::write_pair(FILE *fp, int i, int j) const
+{
+  fmt::print(fp, " {} {} asperity {} roughness {}", g[i][j], kt[i][j], asperity[i][j],
+             roughness[i][j]);
+  if (coulomb[i][j]) fmt::print(fp, " friction coulomb {}", friction[i][j]);
+  fputs("\n", fp);
+}
+
+void PairLubcontact::write_data(FILE *fp)
+{
+  for (int i = 1; i <= atom->ntypes; i++) {
+    fmt::print(fp, "{}", i);
+    write_pair(fp, i, i);
+  }
+}
+
+void PairLubcontact::write_data_all(FILE *fp)
+{
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      fmt::print(fp, "{} {}", i, j);
+      write_pair(fp, i, j);
+    }
+}
