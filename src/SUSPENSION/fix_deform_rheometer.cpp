@@ -33,8 +33,8 @@ using rheometer::Gradient;
 static constexpr double ROUNDING = 1e-9;    // of a box length: more than a conversion of positions
 
 /* ----------------------------------------------------------------------
-   the box moves together with the positions, in post_integrate: a set-up finds the cell in which the
-   forces were computed
+   the box moves together with the positions, in post_integrate: a set-up finds the cell in which
+   the forces were computed
 ------------------------------------------------------------------------- */
 
 int FixDeformRheometer::setmask()
@@ -236,9 +236,9 @@ double FixDeformRheometer::interval() const
 }
 
 /* ----------------------------------------------------------------------
-   new flow, in which the edges of the cell change at a constant velocity: so do the particles of the
-   flow, which need no further push until it is adjusted again. Now each gets the change of velocity
-   and of spin that keeps it in the flow
+   new flow, in which the edges of the cell change at a constant velocity: so do the particles of
+   the flow, which need no further push until it is adjusted again. Now each gets the change of
+   velocity and of spin that keeps it in the flow
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::set_gradient()

@@ -70,9 +70,8 @@ class FixDeformRheometer : public FixDeform {
 
   int flow;    // rheometer::Flow
   Drive drive;
-  RheometerTarget driven;       // rate, viscous number or stress; mean rate of an oscillation
-  RheometerTarget amplitude;    // of an oscillation
-  double frequency;
+  RheometerTarget driven;    // rate, viscous number or stress; mean rate of an oscillation
+  RheometerTarget amplitude, frequency;    // of an oscillation
   Confinement confinement;
   RheometerTarget pressure;
   RheometerTarget viscosity;    // of the fluid

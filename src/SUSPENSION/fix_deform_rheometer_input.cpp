@@ -67,10 +67,10 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg) :
 FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
                                        std::vector<char *> args) :
     FixDeform(lmp, static_cast<int>(args.size()), args.data()),
-    flow(rheometer::SHEAR), drive(NONE_YET), frequency(0.0), confinement(OPEN),
-    viscosity_given(false), pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0),
-    rate(0.0), dilation(0.0), gradient(new rheometer::Gradient()), cell_rate(new rheometer::Cell()),
-    moved(0.0), watch_pressure(new rheometer::Watch()), watch_rate(new rheometer::Watch()),
+    flow(rheometer::SHEAR), drive(NONE_YET), confinement(OPEN), viscosity_given(false),
+    pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0), rate(0.0), dilation(0.0),
+    gradient(new rheometer::Gradient()), cell_rate(new rheometer::Cell()), moved(0.0),
+    watch_pressure(new rheometer::Watch()), watch_rate(new rheometer::Watch()),
     measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), fresh(true),
     stepped(false), warned(false), warned_every(false), particles(),
     material(new rheometer::Material()), virial(nullptr), held(nullptr), from_restart(false)
@@ -227,10 +227,11 @@ int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer
   need_values(key == "oscillate" ? 3 : 1, iarg, narg, arg);
   driven = RheometerTarget(lmp, arg[iarg + 1]);
   drive = key == "rate" ? RATE : key == "iv" ? IV : key == "stress" ? STRESS : OSCILLATE;
+  amplitude = frequency = RheometerTarget();
   if (drive != OSCILLATE) return iarg + 2;
   time = 0.0;    // of the oscillation
   amplitude = RheometerTarget(lmp, arg[iarg + 2]);
-  frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
+  frequency = RheometerTarget(lmp, arg[iarg + 3]);
   return iarg + 4;
 }
 
@@ -249,6 +250,7 @@ void FixDeformRheometer::check_variables() const
   static constexpr const char *NAME[] = {"", "rate", "iv", "stress", "oscillate"};
   driven.check(lmp, style, NAME[drive]);
   amplitude.check(lmp, style, NAME[OSCILLATE]);
+  frequency.check(lmp, style, NAME[OSCILLATE]);
   pressure.check(lmp, style, "pressure");
   viscosity.check(lmp, style, "viscosity");
 }
@@ -257,8 +259,9 @@ void FixDeformRheometer::check_variables() const
 
 bool FixDeformRheometer::has_variables() const
 {
-  return !driven.is_number() || !amplitude.is_number() || !pressure.is_number() ||
-      !viscosity.is_number();
+  for (const RheometerTarget *target : {&driven, &amplitude, &frequency, &pressure, &viscosity})
+    if (!target->is_number()) return true;
+  return false;
 }
 
 /* ----------------------------------------------------------------------

@@ -39,7 +39,7 @@ void FixDeformRheometer::write_restart(FILE *fp)
                                     static_cast<double>(drive),
                                     driven.value,
                                     amplitude.value,
-                                    frequency,
+                                    frequency.value,
                                     static_cast<double>(confinement),
                                     pressure.value,
                                     static_cast<double>(fresh),
@@ -91,7 +91,7 @@ void FixDeformRheometer::restart(char *buf)
   moved = from[MOVED];
 
   // other targets than in the run that wrote the file begin at once, as after fix_modify
-  const bool other_wave = frequency != from[FREQUENCY] ||
+  const bool other_wave = (frequency.is_number() && frequency.value != from[FREQUENCY]) ||
       (amplitude.is_number() && amplitude.value != from[AMPLITUDE]);
   const bool turned = drive != from[DRIVE] || (drive == OSCILLATE && other_wave);
   const bool moved_target = turned || confinement != from[CONFINEMENT] ||

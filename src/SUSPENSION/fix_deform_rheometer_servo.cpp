@@ -122,7 +122,7 @@ void FixDeformRheometer::measure_stress()
 
 void FixDeformRheometer::update_targets()
 {
-  for (RheometerTarget *target : {&driven, &amplitude, &pressure, &viscosity})
+  for (RheometerTarget *target : {&driven, &amplitude, &frequency, &pressure, &viscosity})
     target->evaluate(lmp);
   if (!viscosity_given && pair_viscosity) viscosity.value = *pair_viscosity;
 
@@ -148,7 +148,7 @@ double FixDeformRheometer::next_rate() const
     case IV:
       return driven.value * pressure.value / material->eta;
     case OSCILLATE:
-      return rheometer::oscillation_rate(driven.value, amplitude.value, frequency, time,
+      return rheometer::oscillation_rate(driven.value, amplitude.value, frequency.value, time,
                                          interval());
     case STRESS:
       return rheometer::next_rate(*material, rate, measured_stress, driven.value,

@@ -92,7 +92,7 @@ t = lattice("oscillation", drive="oscillate 0.5 2 30")
 time = DT * t["Step"]
 deck.expect_close("oscillation: strain", t["f_rheometer[1]"], 0.5 * time + 2 / 30 * np.sin(30 * time), atol=1e-13)
 deck.expect_close("oscillation: tilt", t["Xy"] / t["Ly"], t["f_rheometer[1]"], atol=1e-13)
-t = lattice("oscillation of growing amplitude", drive="oscillate 0 v_growing 30")
+t = lattice("oscillation of growing amplitude", drive="oscillate 0 v_growing v_thirty")
 step = t["Step"]    # the mean over a step in which the amplitude is that of its beginning
 mean = np.cos(30 * DT * (step + 0.5)) * np.sinc(0.5 * 30 * DT / np.pi)
 deck.expect_close("oscillation: growing rate", t["f_rheometer[2]"][1:], (0.01 * step * mean)[1:], atol=1e-12)

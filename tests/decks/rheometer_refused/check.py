@@ -15,6 +15,7 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"args": "rate 1 pressure"}, "missing argument", None),
     ({"args": "oscillate 0 1 volume"}, "instead of 'volume'", None),
     ({"args": "oscillate 0 1"}, "missing argument", None),
+    ({"args": "oscillate 0 1 v_local volume"}, "Variable local for fix deform/rheometer oscillate is not equal-style", None),
     ({"args": "oscillate 0 v_none 1 volume"}, "Variable none for fix deform/rheometer oscillate does not exist", None),
     ({"args": "rate 1 volume start"}, "missing argument", None),
     ({"args": "rate 1 volume gain"}, "missing argument", None),
