@@ -59,11 +59,11 @@ void FixDeformRheometer::init()
   if (flow != rheometer::SHEAR && domain->triclinic && domain->xy != 0.0)
     error->all(FLERR, "Fix {} extends cells without tilt, but xy is {}", style, domain->xy);
 
-  if (update->whichflag == 2 && utils::strmatch(update->minimize_style, "^(fire|quickmin)") &&
-      comm->me == 0)
+  const std::string minimizer = update->minimize_style;
+  if (update->whichflag == 2 && (minimizer == "fire" || minimizer == "quickmin") && comm->me == 0)
     error->warning(FLERR,
                    "min_style {} overwrites the velocities of the flow; use min_style cg or sd",
-                   update->minimize_style);
+                   minimizer);
 
   virial = modify->get_compute_by_id(virial_id);
   if (!virial) error->all(FLERR, "Compute {} of fix {} was deleted", virial_id, style);

@@ -97,7 +97,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
       start = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
       iarg += 2;
     } else if (strcmp(arg[iarg], "every") == 0) {
-      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix deform/rheometer every", error);
+      need_values(1, iarg, narg, arg);
       nevery = utils::inumeric(FLERR, arg[iarg + 1], false, lmp);
       if (nevery < 1)
         error->all(FLERR, iarg + 1, "Fix {} every must be > 0, but is {}", style, arg[iarg + 1]);

@@ -122,6 +122,18 @@ def expect_close(what, got, expected, rtol=0.0, atol=0.0):
     expect(what, good, shown)
 
 
+def expect_error(what, text, message, word=None):
+    """LAMMPS stopped with this message, and underlined word if one is given."""
+    lines = text.splitlines()
+    shown = next((line for line in lines if line.startswith("ERROR")), "no error")
+    expect(what, message in shown, shown)
+    if word:
+        last = next(n for n, line in enumerate(lines) if line.startswith("Last input line: "))
+        carets = lines[last + 1]
+        marked = lines[last][carets.index("^"):carets.rindex("^") + 1] if "^" in carets else ""
+        expect(f"  underlined: {word}", marked == word, marked)
+
+
 def finish():
     if _failures:
         print(f"{len(_failures)} wrong: " + ", ".join(_failures))

@@ -30,7 +30,13 @@ same("rerun", frames[1], frames[0])
 for column, value in ((1, 0), (2, 1), (8, 0)):
     deck.expect_close(f"rerun: the flow stays as it is, {column}", frames[0][f"f_flow[{column}]"], value)
 
-first, relaxed, second = deck.run("in.minimize").tables()
+LONG, OVERWRITES = "more than half the lag of the servos", "overwrites the velocities of the flow"
+run = deck.run("in.minimize")
+first, relaxed, second = run.tables()
+deck.expect("no warning", LONG not in run.text and OVERWRITES not in run.text)
+text = deck.run("in.minimize", style="fire", every=25).text    # strain 0.0125 between two adjustments
+deck.expect("a minimizer that overwrites velocities warns", text.count(OVERWRITES) == 1)
+deck.expect("long adjustments warn once", text.count(LONG) == 1)
 deck.expect("minimize: the energy falls", relaxed["PotEng"][-1] < 0.9 * relaxed["PotEng"][0])
 for name in ("Lx", "Ly", "Xy", "f_rheometer[1]", "f_rheometer[2]", "f_rheometer[8]"):
     deck.expect_close(f"minimize: {name} as before", second[name][0], first[name][-1], rtol=1e-12)

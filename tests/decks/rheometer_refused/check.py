@@ -82,13 +82,5 @@ def run(variables, fails):
 
 run({}, fails=False)
 for variables, message, word in CASES:
-    text = run(variables, fails=True)
-    shown = next((line for line in text.splitlines() if line.startswith("ERROR")), "no error")
-    deck.expect(str(variables), message in shown, shown)
-    if word:
-        lines = text.splitlines()
-        last = next(n for n, line in enumerate(lines) if line.startswith("Last input line: "))
-        carets = lines[last + 1]
-        marked = lines[last][carets.index("^"):carets.rindex("^") + 1] if "^" in carets else ""
-        deck.expect(f"  underlined: {word}", marked == word, marked)
+    deck.expect_error(str(variables), run(variables, fails=True), message, word)
 deck.finish()
