@@ -37,7 +37,7 @@ ComputeStressPartition::ComputeStressPartition(LAMMPS *lmp, int narg, char **arg
                arg[1]);
 
   array_flag = 1;
-  size_array_rows = NUM_PARTS + 1;    // the pair channels, then inertia
+  size_array_rows = NUM_ROWS;
   size_array_cols = NUM_COMPONENTS;
   extarray = 0;
   timeflag = 1;    // the pair style tallies in the steps announced for this compute
@@ -87,7 +87,7 @@ void ComputeStressPartition::compute_array()
 {
   invoked_array = update->ntimestep;
 
-  double mine[NUM_PARTS + 1][NUM_COMPONENTS] = {};
+  double mine[NUM_ROWS][NUM_COMPONENTS] = {};
   for (const auto &pair : pairs) {
     if (pair->partition_step != update->ntimestep)
       error->all(FLERR,
@@ -95,16 +95,16 @@ void ComputeStressPartition::compute_array()
                  "its steps are known in advance (thermo, fix ave, dump, every-type variables)",
                  update->ntimestep);
     for (int m = 0; m < NUM_PARTS; m++)
-      for (int n = 0; n < NUM_COMPONENTS; n++) mine[m][n] += pair->partition[m][n];
+      for (int n = 0; n < NUM_COMPONENTS; n++) mine[row_of(m)][n] += pair->partition[m][n];
   }
-  for (int i = 0; i < atom->nlocal; i++) add_inertial(lmp, i, mine[NUM_PARTS]);
+  for (int i = 0; i < atom->nlocal; i++) add_inertial(lmp, i, mine[INERTIA]);
 
   double volume = domain->xprd * domain->yprd;
   if (domain->dimension == 3) volume *= domain->zprd;
-  for (int m = 0; m <= NUM_PARTS; m++)
+  for (int m = 0; m < NUM_ROWS; m++)
     for (double &component : mine[m])
-      component *= -force->nktv2p / volume * (m == NUM_PARTS ? force->mvv2e : 1.0);
-  MPI_Allreduce(mine, array[0], (NUM_PARTS + 1) * NUM_COMPONENTS, MPI_DOUBLE, MPI_SUM, world);
+      component *= -force->nktv2p / volume * (m == INERTIA ? force->mvv2e : 1.0);
+  MPI_Allreduce(mine, array[0], NUM_ROWS * NUM_COMPONENTS, MPI_DOUBLE, MPI_SUM, world);
 }
 
 /* ----------------------------------------------------------------------
@@ -135,5 +135,5 @@ void ComputeStressPartition::add_inertial(LAMMPS *lmp, int i, double *sum)
 
 double ComputeStressPartition::memory_usage()
 {
-  return sizeof(double) * (NUM_PARTS + 1) * NUM_COMPONENTS;
+  return sizeof(double) * NUM_ROWS * NUM_COMPONENTS;
 }

@@ -30,6 +30,10 @@ class ComputeStressPartition : public Compute {
   void compute_array() override;
   double memory_usage() override;
 
+  // rows: contact and lubrication, normal and tangential; inertia; repulsion
+  static constexpr int INERTIA = 4, NUM_ROWS = 6;
+  static constexpr int row_of(int part) { return part < INERTIA ? part : part + 1; }
+
   // shared with compute stress/partition/atom
   static std::vector<class PairLubcontact *> find_pairs(LAMMPS *, const char *);
   static void add_inertial(LAMMPS *, int, double *);

@@ -23,8 +23,9 @@
 using namespace LAMMPS_NS;
 
 static constexpr int NUM_COMPONENTS = PairLubcontact::NUM_COMPONENTS;
-static constexpr int PAIR_COLUMNS = PairLubcontact::NUM_PARTS * NUM_COMPONENTS;
-static constexpr int COLUMNS = PAIR_COLUMNS + NUM_COMPONENTS;    // the pair channels, then inertia
+static constexpr int NUM_PARTS = PairLubcontact::NUM_PARTS;
+static constexpr int NUM_ROWS = ComputeStressPartition::NUM_ROWS;    // one after the other
+static constexpr int COLUMNS = NUM_ROWS * NUM_COMPONENTS;
 
 /* ---------------------------------------------------------------------- */
 
@@ -38,7 +39,7 @@ ComputeStressPartitionAtom::ComputeStressPartitionAtom(LAMMPS *lmp, int narg, ch
   peratom_flag = 1;
   size_peratom_cols = COLUMNS;
   timeflag = 1;    // the pair style tallies in the steps announced for this compute
-  comm_reverse = PAIR_COLUMNS;
+  comm_reverse = COLUMNS;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -71,15 +72,15 @@ void ComputeStressPartitionAtom::compute_peratom()
   collect_parts();
 
   for (int i = 0; i < atom->nlocal; i++) {
-    double *parts = array_atom[i], *inertial = parts + PAIR_COLUMNS;
-    std::fill(inertial, parts + COLUMNS, 0.0);
+    double *parts = array_atom[i];
+    double *inertial = parts + ComputeStressPartition::INERTIA * NUM_COMPONENTS;
     if (!(atom->mask[i] & groupbit)) {
-      std::fill(parts, inertial, 0.0);
+      std::fill_n(parts, COLUMNS, 0.0);
       continue;
     }
     ComputeStressPartition::add_inertial(lmp, i, inertial);
-    for (int n = 0; n < PAIR_COLUMNS; n++) parts[n] *= -force->nktv2p;
-    for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] *= -force->nktv2p * force->mvv2e;
+    for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] *= force->mvv2e;
+    for (int n = 0; n < COLUMNS; n++) parts[n] *= -force->nktv2p;
   }
 }
 
@@ -90,7 +91,7 @@ void ComputeStressPartitionAtom::compute_peratom()
 void ComputeStressPartitionAtom::collect_parts()
 {
   const std::size_t nall = atom->nlocal + atom->nghost;
-  for (std::size_t i = 0; i < nall; i++) std::fill_n(array_atom[i], PAIR_COLUMNS, 0.0);
+  for (std::size_t i = 0; i < nall; i++) std::fill_n(array_atom[i], COLUMNS, 0.0);
   for (const auto &pair : pairs) {
     if (pair->partition_atom_step != update->ntimestep || pair->partition_atom.size() != nall)
       error->all(FLERR,
@@ -99,7 +100,11 @@ void ComputeStressPartitionAtom::collect_parts()
                  "dump, every-type variables)",
                  update->ntimestep);
     for (std::size_t i = 0; i < nall; i++)
-      for (int n = 0; n < PAIR_COLUMNS; n++) array_atom[i][n] += pair->partition_atom[i][n];
+      for (int m = 0; m < NUM_PARTS; m++) {
+        const double *part = &pair->partition_atom[i][m * NUM_COMPONENTS];
+        double *sum = array_atom[i] + ComputeStressPartition::row_of(m) * NUM_COMPONENTS;
+        for (int n = 0; n < NUM_COMPONENTS; n++) sum[n] += part[n];
+      }
   }
   if (force->newton_pair) comm->reverse_comm(this);
 }
@@ -108,14 +113,14 @@ void ComputeStressPartitionAtom::collect_parts()
 
 int ComputeStressPartitionAtom::pack_reverse_comm(int n, int first, double *buf)
 {
-  for (int i = first; i < first + n; i++) buf = std::copy_n(array_atom[i], PAIR_COLUMNS, buf);
-  return n * PAIR_COLUMNS;
+  for (int i = first; i < first + n; i++) buf = std::copy_n(array_atom[i], COLUMNS, buf);
+  return n * COLUMNS;
 }
 
 void ComputeStressPartitionAtom::unpack_reverse_comm(int n, int *list, double *buf)
 {
   for (int i = 0; i < n; i++)
-    for (int m = 0; m < PAIR_COLUMNS; m++) array_atom[list[i]][m] += *buf++;
+    for (int m = 0; m < COLUMNS; m++) array_atom[list[i]][m] += *buf++;
 }
 
 /* ---------------------------------------------------------------------- */

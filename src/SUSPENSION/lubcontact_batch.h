@@ -16,6 +16,9 @@ struct Batch {
   // in: i as seen from j, which is at rest in the origin
   Lanes x[3], v[3], omega_i[3], omega_j[3], radius_i, radius_j, a;
   Lanes g, asperity, alpha, eps, ln_eps, kt, mu;
+  Lanes least, shift, per_ramp;       // THRESHOLD
+  Lanes release, ln_release;          // ADHESION
+  Lanes repulsion, per_screening;     // REPULSION
   Lanes history[HISTORY];    // in and out
 
   // out; all void in a lane that is not usual (0)
@@ -39,8 +42,12 @@ template <class E> inline void step_lane(Batch &b, int l, const Film &f, double 
   const Body i{get_lane(b.x, l), get_lane(b.v, l), get_lane(b.omega_i, l), b.radius_i[l]};
   const Body j{{}, {}, get_lane(b.omega_j, l), b.radius_j[l]};
   const PairGeometry g = pair_geometry(i.x, j.x, i.radius, j.radius, b.a[l]);
-  const PairCoeffs c{
+  PairCoeffs c{
       {b.g[l], b.asperity[l], {b.alpha[l], b.eps[l], b.ln_eps[l], false}}, b.kt[l], b.mu[l]};
+  if constexpr (E::threshold) c.threshold = {b.least[l], b.shift[l], b.per_ramp[l]};
+  if constexpr (E::adhesion) c.normal.gap.release = b.release[l];
+  if constexpr (E::adhesion) c.normal.gap.ln_release = b.ln_release[l];
+  if constexpr (E::repulsion) c.normal.repulsion = {b.repulsion[l], b.per_screening[l]};
   double history[E::HISTORY_SIZE + 1];
   for (int m = 0; m < E::HISTORY_SIZE; m++) history[m] = b.history[m][l];
   const bool usual = next_history_usual<E>(c, f, g, i, j, dt, history, history);

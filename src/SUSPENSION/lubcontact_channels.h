@@ -10,11 +10,13 @@ enum Channel {
   CONTACT_TANGENTIAL,
   LUBRICATION_NORMAL,
   LUBRICATION_TANGENTIAL,
+  SCREENED_REPULSION,
   NUM_CHANNELS
 };
 
-inline constexpr const char *CHANNEL_NAME[NUM_CHANNELS] = {
-    "contact/normal", "contact/tangential", "lubrication/normal", "lubrication/tangential"};
+inline constexpr const char *CHANNEL_NAME[NUM_CHANNELS] = {"contact/normal", "contact/tangential",
+                                                           "lubrication/normal",
+                                                           "lubrication/tangential", "repulsion"};
 
 }    // namespace lubcontact
 

@@ -5,14 +5,23 @@
 
 namespace lubcontact {
 
-enum : unsigned {    // bits of a mask
-  SQUEEZE = 1,       // squeeze film in the normal direction
-  SHEAR = 2,         // tangential film
-  FRICTION = 4,      // Coulomb friction of the asperities
-  ROLL = 8,          // rolling torque of the film
-  TWIST = 16,        // twisting torque of the film
-  NUM_COMBINATIONS = 32
+enum : unsigned {     // bits of a mask
+  SQUEEZE = 1,        // squeeze film in the normal direction
+  SHEAR = 2,          // tangential film
+  FRICTION = 4,       // Coulomb friction of the asperities
+  ROLL = 8,           // rolling torque of the film
+  TWIST = 16,         // twisting torque of the film
+  THRESHOLD = 32,     // load that a contact needs for friction; nothing without FRICTION
+  ADHESION = 64,      // contacts that hold under tension
+  REPULSION = 128,    // screened repulsion of the surfaces
+  NUM_COMBINATIONS = 256
 };
+
+// The same effects without the bits that do nothing.
+constexpr unsigned canonical(unsigned mask)
+{
+  return mask & FRICTION ? mask : mask & ~THRESHOLD;
+}
 
 // History of a pair (i,j): doubles kept from step to step. Frame: laboratory.
 //   slot    size  meaning                               dimension  new pair        i <-> j
@@ -21,12 +30,17 @@ enum : unsigned {    // bits of a mask
 //   SHEAR   3     elastic shear displacement            length     0               odd
 //   ROLL    3     elastic part of the relative rolling  1          0               odd
 //   TWIST   1     elastic part of the relative twist    1          0               even
+//   BOND    1     1 while the asperities hold, else 0   1          elastic_contact()  even
 template <unsigned MASK> struct Effects {
   static constexpr bool squeeze = MASK & SQUEEZE;
   static constexpr bool shear = MASK & SHEAR;
   static constexpr bool friction = MASK & FRICTION;
   static constexpr bool roll = MASK & ROLL;
   static constexpr bool twist = MASK & TWIST;
+  static constexpr bool threshold = friction && (MASK & THRESHOLD);
+  static constexpr bool adhesion = MASK & ADHESION;
+  static constexpr bool repulsion = MASK & REPULSION;
+  static constexpr unsigned normal = MASK & (ADHESION | REPULSION);    // extends the normal mode
   static constexpr bool tangential = shear || friction;
   static constexpr bool films = shear || roll || twist;    // some film besides the squeeze film
   static constexpr bool turns = tangential || roll;        // some history vector co-rotates
@@ -41,7 +55,8 @@ template <unsigned MASK> struct Effects {
   static constexpr int SHEAR_SLOT = SURFACE_SLOT + (surface_history ? 1 : 0);
   static constexpr int ROLL_SLOT = SHEAR_SLOT + (tangential ? 3 : 0);
   static constexpr int TWIST_SLOT = ROLL_SLOT + (roll ? 3 : 0);
-  static constexpr int HISTORY_SIZE = TWIST_SLOT + (twist ? 1 : 0);
+  static constexpr int BOND_SLOT = TWIST_SLOT + (twist ? 1 : 0);
+  static constexpr int HISTORY_SIZE = BOND_SLOT + (adhesion ? 1 : 0);
 };
 
 // History of (j,i) from that of (i,j).

@@ -7,10 +7,15 @@
 // Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020), with the time
 // scale corrected. In w = 1/u it is linear, dw/dt = A - r w, hence no iteration. The state is
 // y = ln u, which neither underflows nor changes sign.
+//
+// Two extensions, chosen at compile time (template argument X, bits of lubcontact_effects.h): with
+// ADHESION a contact, once made below eps, holds up to the gap `release` > eps, so that its springs
+// pull there; with REPULSION a further force, linear in u within the step, adds push - slope u to r.
 
 #ifndef LUBCONTACT_GAP_H
 #define LUBCONTACT_GAP_H
 
+#include "lubcontact_effects.h"
 #include "lubcontact_polynomial.h"
 
 #include <algorithm>
@@ -23,6 +28,7 @@ namespace lubcontact {
 struct Gap {
   double u;
   double ln_u;
+  bool bond = false;    // ADHESION: the asperities hold
 };
 
 // phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s), |z| < 700.
@@ -148,32 +154,67 @@ struct GapLaw {
   double eps;       // roughness: height of the asperities over a; 0: smooth
   double ln_eps;    // ln(eps), -HUGE_VAL if smooth
   bool euler;       // backward Euler instead of the exponential scheme
+
+  double release = 0.0, ln_release = 0.0;    // ADHESION: gap over a at which a contact breaks
+  double push = 0.0, slope = 0.0;            // REPULSION: push - slope u, over g a
 };
 
+// The coefficients of du/dt = u (un + drive - stiffness u), contact or not.
+template <unsigned X = 0> inline double gap_stiffness(const GapLaw &law, bool contact)
+{
+  const double A = contact ? 1.0 + law.alpha : 1.0;
+  if constexpr (X & REPULSION) return A + law.slope;
+  return A;
+}
+
+template <unsigned X = 0> inline double gap_drive(const GapLaw &law, bool contact)
+{
+  const double add = contact ? law.alpha * law.eps : 0.0;
+  if constexpr (X & REPULSION) return add + law.push;
+  return add;
+}
+
+// The gap at which a contact ends, or one begins.
+struct Border {
+  double u, ln_u;
+};
+
+template <unsigned X = 0> inline Border gap_border(const GapLaw &law, bool contact)
+{
+  if constexpr (X & ADHESION)
+    if (contact) return {law.release, law.ln_release};
+  return {law.eps, law.ln_eps};
+}
+
 // Step in one branch of the law, contact or not.
+template <unsigned X = 0>
 inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un0, double un1,
                       double h)
 {
-  const double A = contact ? 1.0 + law.alpha : 1.0;
-  const double add = contact ? law.alpha * law.eps : 0.0;
-  return law.euler ? gap_euler(old, un1 + add, A, h)
-                   : gap_exponential(old, un0 + add, un1 + add, A, h);
+  const double A = gap_stiffness<X>(law, contact);
+  const double add = gap_drive<X>(law, contact);
+  Gap end = law.euler ? gap_euler(old, un1 + add, A, h)
+                      : gap_exponential(old, un0 + add, un1 + add, A, h);
+  end.bond = contact;
+  return end;
 }
 
-// Fraction of the step at which ln_u reaches ln_eps, end being beyond it: Illinois, with a
+// Fraction of the step at which ln_u reaches the border, end being beyond it: Illinois, with a
 // bisection every third time for flat cases.
+template <unsigned X = 0>
 inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, const Gap &end,
                            double un0, double un1, double h)
 {
-  double lo = 0.0, f_lo = old.ln_u - law.ln_eps;
-  double hi = 1.0, f_hi = end.ln_u - law.ln_eps;
+  const double border = gap_border<X>(law, contact).ln_u;
+  double lo = 0.0, f_lo = old.ln_u - border;
+  double hi = 1.0, f_hi = end.ln_u - border;
   double t = 0.5;
   int kept = 0;    // end kept by the last evaluation: 1 high, -1 low
   for (int n = 0; n < 100 && hi - lo > 1e-12; n++) {
     t = (lo * f_hi - hi * f_lo) / (f_hi - f_lo);
     if (n % 3 == 2 || !(t > lo && t < hi)) t = 0.5 * (lo + hi);
-    const Gap there = gap_branch(law, contact, old, un0, un0 + t * (un1 - un0), t * h);
-    const double f = there.ln_u - law.ln_eps;
+    const Gap there = gap_branch<X>(law, contact, old, un0, un0 + t * (un1 - un0), t * h);
+    const double f = there.ln_u - border;
     if (std::fabs(f) < 1e-13) break;
     if ((f > 0.0) == (f_lo > 0.0)) {
       lo = t;
@@ -190,72 +231,84 @@ inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, cons
   return t;
 }
 
+// Contact during a step? On the border the drive decides: the gap closes if it is below eps. An
+// adhesive contact holds until it breaks.
+template <unsigned X = 0>
+inline bool in_contact(const GapLaw &law, const Gap &gap, double un0, double un1)
+{
+  if constexpr (X & ADHESION) return gap.bond;
+  const double drive = gap_drive<X>(law, false), stiffness = gap_stiffness<X>(law, false);
+  return (gap.ln_u < law.ln_eps) |
+      ((gap.ln_u == law.ln_eps) & (un0 + un1 < 2.0 * (stiffness * law.eps - drive)));
+}
+
+template <unsigned X = 0> inline bool crosses(const GapLaw &law, bool contact, double end)
+{
+  return (contact & (end > gap_border<X>(law, true).ln_u)) |
+      (!contact & (end < gap_border<X>(law, false).ln_u));
+}
+
 // The rest of a step that crosses the border, branch by branch. At u = eps both branches have the
-// same rate, so there is no chatter; the limit of four is a guard.
+// same rate, and an adhesive contact breaks elsewhere than it forms: no chatter; four is a guard.
+template <unsigned X = 0>
 inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double un0, double un1,
                      double h)
 {
-  for (int n = 0; n < 4 && (contact ? end.ln_u > law.ln_eps : end.ln_u < law.ln_eps); n++) {
-    const double t = gap_crossing(law, contact, gap, end, un0, un1, h);
+  for (int n = 0; n < 4 && crosses<X>(law, contact, end.ln_u); n++) {
+    const double t = gap_crossing<X>(law, contact, gap, end, un0, un1, h);
+    const Border border = gap_border<X>(law, contact);
     un0 += t * (un1 - un0);
     h *= 1.0 - t;
-    gap = {law.eps, law.ln_eps};
     contact = !contact;
+    gap = {border.u, border.ln_u, contact};
     if (!(h > 0.0)) return gap;
-    end = gap_branch(law, contact, gap, un0, un1, h);
+    end = gap_branch<X>(law, contact, gap, un0, un1, h);
   }
   return end;
 }
 
-// Contact during a step? On the border the surfaces decide: they approach if un < eps.
-inline bool in_contact(const GapLaw &law, double ln_u, double un0, double un1)
-{
-  return (ln_u < law.ln_eps) | ((ln_u == law.ln_eps) & (un0 + un1 < 2.0 * law.eps));
-}
-
-inline bool crosses(const GapLaw &law, bool contact, double end)
-{
-  return (contact & (end > law.ln_eps)) | (!contact & (end < law.ln_eps));
-}
-
 // Step with the transitions between contact and no contact resolved inside it.
+template <unsigned X = 0>
 inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0, double un1, double h)
 {
-  const bool contact = in_contact(law, old.ln_u, un0, un1);
-  const Gap end = gap_branch(law, contact, old, un0, un1, h);
-  if (crosses(law, contact, end.ln_u)) return gap_cross(law, contact, old, end, un0, un1, h);
+  const bool contact = in_contact<X>(law, old, un0, un1);
+  const Gap end = gap_branch<X>(law, contact, old, un0, un1, h);
+  if (crosses<X>(law, contact, end.ln_u)) return gap_cross<X>(law, contact, old, end, un0, un1, h);
   return end;
 }
 
 // A step in one branch of the law where nothing can overflow. Branch-free; the result is void if
 // usual becomes false.
+template <unsigned X = 0>
 inline Gap gap_step_usual(const GapLaw &law, const Gap &old, double un0, double un1, double h,
                           bool &usual)
 {
-  const bool contact = in_contact(law, old.ln_u, un0, un1);
-  const double A = contact ? 1.0 + law.alpha : 1.0;
-  const double add = contact ? law.alpha * law.eps : 0.0;
-  const Gap end = gap_exponential_usual(old, un0 + add, un1 + add, A, h, usual);
-  usual = usual & !crosses(law, contact, end.ln_u) & !law.euler;
+  const bool contact = in_contact<X>(law, old, un0, un1);
+  const double A = gap_stiffness<X>(law, contact);
+  const double add = gap_drive<X>(law, contact);
+  Gap end = gap_exponential_usual(old, un0 + add, un1 + add, A, h, usual);
+  end.bond = contact;
+  usual = usual & !crosses<X>(law, contact, end.ln_u) & !law.euler;
   return end;
 }
 
 // Gap after a step of length h = dt/tau during which un/a goes from un0 to un1.
 // Where the surfaces move far in a film that relaxes fast the step is cut: 2 D <= 1 in each piece.
+template <unsigned X = 0>
 inline Gap gap_step(const GapLaw &law, const Gap &old, double un0, double un1, double h)
 {
   bool usual = true;
-  const Gap end = gap_step_usual(law, old, un0, un1, h, usual);
+  const Gap end = gap_step_usual<X>(law, old, un0, un1, h, usual);
   if (usual) return end;
 
   static constexpr int MAX_PIECES = 16;    // beyond, the film is quasi-static within a piece
   const double D = 0.5 * h * std::fabs(un1 - un0);
-  if (D <= 0.5 || law.euler) return gap_piece(law, old, un0, un1, h);
+  if (D <= 0.5 || law.euler) return gap_piece<X>(law, old, un0, un1, h);
   const int pieces = static_cast<int>(std::min<double>(MAX_PIECES, std::ceil(std::sqrt(2.0 * D))));
   const double dh = h / pieces, dun = (un1 - un0) / pieces;
   Gap gap = old;
   for (int n = 0; n < pieces; n++)
-    gap = gap_piece(law, gap, un0 + n * dun, un0 + (n + 1) * dun, dh);
+    gap = gap_piece<X>(law, gap, un0 + n * dun, un0 + (n + 1) * dun, dh);
   return gap;
 }
 

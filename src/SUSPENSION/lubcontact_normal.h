@@ -1,11 +1,17 @@
-// Normal mode: squeeze film, asperities and bulk in series.
+// Normal mode: squeeze film and asperities, in series with the bulk.
 // Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020).
+//
+// Extensions X (bits of lubcontact_effects.h), after W. Chevremont, thesis, Grenoble (2020), sec.
+// 5.2.2: ADHESION, asperities that have touched pull until the gap exceeds `release`; REPULSION, in
+// parallel with them. Both act on the gap u, behind the spring of the bulk, whose stiffness g
+// therefore bounds that of all: neither limits the time step.
 
 #ifndef LUBCONTACT_NORMAL_H
 #define LUBCONTACT_NORMAL_H
 
 #include "lubcontact_film.h"
 #include "lubcontact_gap.h"
+#include "lubcontact_repulsion.h"
 
 namespace lubcontact {
 
@@ -13,11 +19,13 @@ struct NormalCoeffs {
   double g;           // bulk stiffness, force/length
   double asperity;    // asperity stiffness k, force/length
   GapLaw gap;
+  Repulsion repulsion{};
 };
 
 struct NormalForce {
-  double contact;    // of the asperities on i along n, repulsive: >= 0
-  double film;       // of the squeeze film on i along n, negative: suction
+  double contact;            // of the asperities on i along n; negative: adhesion
+  double film;               // of the squeeze film on i along n, negative: suction
+  double repulsion = 0.0;    // screened repulsion on i along n, >= 0
 };
 
 // A smooth pair that overlaps without a past has no film to remember: it gets one this thin.
@@ -33,18 +41,76 @@ inline double elastic_gap(const GapLaw &law, double un)
   return u > 0.0 ? u : THINNEST;
 }
 
+// Repulsion of closed surfaces at the gap u over a, in units of g a.
+inline double relative_repulsion(const NormalCoeffs &c, double a, double u)
+{
+  return repulsion_force(c.repulsion, a * u) / (c.g * a);
+}
+
+// Do the asperities touch at elastic rest, un over a? With ADHESION also if they have held (bond)
+// and the gap at which they would carry the load has not passed `release`.
+template <unsigned X = 0>
+inline bool elastic_contact(const NormalCoeffs &c, double a, double un, [[maybe_unused]] bool bond)
+{
+  const GapLaw &law = c.gap;
+  double at_eps = 0.0;
+  if constexpr (X & REPULSION) at_eps = relative_repulsion(c, a, law.eps);
+  const bool touch = un + at_eps < law.eps;
+  if constexpr (X & ADHESION) {
+    double at_release = 0.0;
+    if constexpr (X & REPULSION) at_release = relative_repulsion(c, a, law.release);
+    const double held = (1.0 + law.alpha) * law.release - law.alpha * law.eps;
+    return touch | (bond & (un + at_release < held));
+  }
+  return touch;
+}
+
+// Gap of elastic rest for any extension, un over a; bond: do the asperities hold? (ADHESION)
+template <unsigned X>
+inline double elastic_gap(const NormalCoeffs &c, double a, double un, bool bond)
+{
+  if constexpr (!X) return elastic_gap(c.gap, un);
+  const bool contact = (X & ADHESION) ? bond : elastic_contact<X>(c, a, un, false);
+  const double r = un + (contact ? c.gap.alpha * c.gap.eps : 0.0);
+  const double A = contact ? 1.0 + c.gap.alpha : 1.0;
+  double u = r / A;
+  if constexpr (X & REPULSION)
+    u = repelled_gap(r, A, c.repulsion.force / (c.g * a), c.repulsion.per_length * a);
+  return u > 0.0 ? u : THINNEST;
+}
+
+// The law with the repulsion linearized about the gap u over a, so that its equation stays linear in
+// 1/u. The rest is quadratic in the change of u: second order.
+template <unsigned X> inline NormalCoeffs linearized(const NormalCoeffs &c, double a, double u)
+{
+  NormalCoeffs law = c;
+  if constexpr (X & REPULSION) {
+    const double p = relative_repulsion(c, a, u);
+    law.gap.slope = p * (c.repulsion.per_length * a);
+    law.gap.push = p + law.gap.slope * u;
+  }
+  return law;
+}
+
+// May the repulsion be linearized over this change of the gap?
+inline bool is_small_change(const NormalCoeffs &c, double a, double u0, double u1)
+{
+  return std::fabs(u1 - u0) * a * c.repulsion.per_length < 0.25;
+}
+
 // Length of the time step in units of tau = nu a/g. With a shifted range the squeeze resistance is
 // nu (1 - u/range), frozen at the gap expected at mid-step (linearly implicit: positive, second
 // order); un/a at the beginning and end.
+template <unsigned X = 0>
 inline double film_steps(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0,
                          double un1, double dt)
 {
   const double h = dt / squeeze_coeff(f.viscosity) * (c.g * (1.0 / a));    // 1/a is at hand
   if (f.shift == 0.0) return h;
 
-  const bool contact = old.ln_u < c.gap.ln_eps;
-  const double A = contact ? 1.0 + c.gap.alpha : 1.0;
-  const double r = 0.5 * (un0 + un1) + (contact ? c.gap.alpha * c.gap.eps : 0.0);
+  const bool contact = (X & ADHESION) ? old.bond : old.ln_u < c.gap.ln_eps;
+  const double A = gap_stiffness<X>(c.gap, contact);
+  const double r = 0.5 * (un0 + un1) + gap_drive<X>(c.gap, contact);
   static constexpr double LEAST = 1e-6;    // of the resistance, so that h stays finite
   const double half = 0.5 * h / larger(LEAST, 1.0 - old.u * f.shift);
   const double middle =
@@ -59,41 +125,87 @@ inline bool is_dry(const NormalCoeffs &c, const Film &f, double a, double dt)
 }
 
 // Gap after a step as nearly all are: branch-free, void if usual becomes false; un in units of a.
+template <unsigned X = 0>
 inline Gap next_gap_usual(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
                           double un0, double un1, double dt, bool &usual)
 {
   usual = usual & !is_dry(c, f, a, dt);
-  return gap_step_usual(c.gap, old, un0, un1, film_steps(c, f, a, old, un0, un1, dt), usual);
+  const NormalCoeffs l = linearized<X>(c, a, old.u);
+  const double h = film_steps<X>(l, f, a, old, un0, un1, dt);
+  const Gap end = gap_step_usual<X>(l.gap, old, un0, un1, h, usual);
+  if constexpr (X & REPULSION) usual = usual & is_small_change(c, a, old.u, end.u);
+  return end;
 }
 
 // The same for any step.
+template <unsigned X = 0>
+inline Gap next_gap_linear(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
+                           double un0, double un1, double dt)
+{
+  const NormalCoeffs l = linearized<X>(c, a, old.u);
+  return gap_step<X>(l.gap, old, un0, un1, film_steps<X>(l, f, a, old, un0, un1, dt));
+}
+
+template <unsigned X = 0>
 inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0,
                     double un1, double dt)
 {
   if (is_dry(c, f, a, dt)) {
-    const double u = elastic_gap(c.gap, un1);
-    return {u, std::log(u)};
+    const bool bond = elastic_contact<X>(c, a, un1, old.bond);
+    const double u = elastic_gap<X>(c, a, un1, bond);
+    return {u, std::log(u), bond};
   }
-  return gap_step(c.gap, old, un0, un1, film_steps(c, f, a, old, un0, un1, dt));
+  if constexpr (!(X & REPULSION)) return next_gap_linear<X>(c, f, a, old, un0, un1, dt);
+
+  // in pieces, halved until the repulsion changes little in each
+  static constexpr double SMALLEST = 1.0 / 256;
+  Gap gap = old;
+  double done = 0.0, piece = 1.0;    // of the step: sums of powers of 2 are exact
+  while (done < 1.0) {
+    const double from = un0 + done * (un1 - un0), to = un0 + (done + piece) * (un1 - un0);
+    const Gap end = next_gap_linear<X>(c, f, a, gap, from, to, piece * dt);
+    if (piece > SMALLEST && !is_small_change(c, a, gap.u, end.u)) {
+      piece *= 0.5;
+      continue;
+    }
+    gap = end;
+    done += piece;
+  }
+  return gap;
 }
 
 // Forces at surface separation un and gap u, lengths. Their sum is g (u - un). Without film the
-// asperities carry all of it, also where they are crushed flat.
-inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, double u, bool film)
+// asperities carry all of it, also where they are crushed flat. bond: do they hold? (ADHESION)
+template <unsigned X = 0>
+inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, double u, bool film,
+                                [[maybe_unused]] bool bond = false)
 {
-  const double total = c.g * (u - un);
-  // at a gap u is un to rounding only: that is no contact
-  const bool touch = (un < c.gap.eps * a) | (un < 0.0);
-  const double dry = touch ? larger(0.0, total) : 0.0;
-  const double contact = c.asperity * larger(0.0, c.gap.eps * a - u);
-  return {film ? contact : dry, film ? total - contact : 0.0};
+  const double eps = c.gap.eps * a, total = c.g * (u - un);
+  if constexpr (!X) {
+    // at a gap u is un to rounding only: that is no contact
+    const bool touch = (un < eps) | (un < 0.0);
+    const double dry = touch ? larger(0.0, total) : 0.0;
+    const double contact = c.asperity * larger(0.0, eps - u);
+    return {film ? contact : dry, film ? total - contact : 0.0};
+  }
+  const bool touch = (X & ADHESION) ? bond : u < eps;
+  const bool crushed = (u <= THINNEST * a) & (un < 0.0);
+  const double pushed = (X & REPULSION) ? repulsion_force(c.repulsion, u) : 0.0;
+  const double dry = touch | crushed ? total - pushed : 0.0;
+  const double contact = touch ? c.asperity * (eps - u) : 0.0;
+  return {film ? contact : dry, film ? total - contact - pushed : 0.0, pushed};
 }
 
-// Elastic energy of bulk and asperities.
-inline double normal_energy(const NormalCoeffs &c, double a, double un, double u)
+// Energy of bulk, asperities and repulsion.
+template <unsigned X = 0>
+inline double normal_energy(const NormalCoeffs &c, double a, double un, double u,
+                            [[maybe_unused]] bool bond = false)
 {
-  const double flat = larger(0.0, c.gap.eps * a - u);
-  return 0.5 * c.g * (u - un) * (u - un) + 0.5 * c.asperity * flat * flat;
+  const double flat = c.gap.eps * a - u;
+  const double held = (X & ADHESION) ? (bond ? flat : 0.0) : larger(0.0, flat);
+  double energy = 0.5 * c.g * (u - un) * (u - un) + 0.5 * c.asperity * held * held;
+  if constexpr (X & REPULSION) energy += repulsion_energy(c.repulsion, u);
+  return energy;
 }
 
 }    // namespace lubcontact

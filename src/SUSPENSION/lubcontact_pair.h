@@ -6,6 +6,7 @@
 #define LUBCONTACT_PAIR_H
 
 #include "lubcontact_effects.h"
+#include "lubcontact_friction.h"
 #include "lubcontact_geometry.h"
 #include "lubcontact_normal.h"
 #include "lubcontact_roll.h"
@@ -18,28 +19,55 @@ struct PairCoeffs {    // of a pair of types
   NormalCoeffs normal;
   double kt;    // tangential stiffness, force/length; kt a^2 for roll and twist
   double mu;    // coefficient of friction
+  Threshold threshold{};
 };
 
 struct Load {
-  double contact;    // normal forces on i along n
+  double contact;    // normal forces on i along n: of the asperities, of the squeeze film,
   double film;
-  Vec3 shear;     // tangential force on i: friction and film
-  Vec3 couple;    // rolling and twisting torque on i; j gets the opposite
-  double u;       // gap of the deformed surfaces, length
-  double cone;    // largest friction force
+  double repulsion;
+  double normal;    // their sum
+  bool touch;       // do the asperities touch, or hold?
+  Vec3 shear;       // tangential force on i: friction and film
+  Vec3 couple;      // rolling and twisting torque on i; j gets the opposite
+  double u;         // gap of the deformed surfaces, length
+  double cone;      // largest friction force
 };
+
+template <class E> inline bool has_film(const Film &f)
+{
+  return E::squeeze && f.viscosity > 0.0;
+}
+
+// Do the asperities hold? (ADHESION)
+template <class E> inline bool holds([[maybe_unused]] const double *history)
+{
+  if constexpr (E::adhesion) return history[E::BOND_SLOT] != 0.0;
+  return false;
+}
 
 // Gap over a of the present state.
 template <class E>
 inline double present_gap(const PairCoeffs &c, const PairGeometry &g, const double *history)
 {
   if constexpr (E::gap_history) return history[E::GAP_SLOT];
-  return elastic_gap(c.normal.gap, g.gap);
+  return elastic_gap<E::normal>(c.normal, g.a, g.gap, holds<E>(history));
 }
 
-template <class E> inline bool has_film(const Film &f)
+// Normal forces at the gap u, length.
+template <class E>
+inline NormalForce normal_force_of(const PairCoeffs &c, const Film &f, const PairGeometry &g,
+                                   double u, bool bond)
 {
-  return E::squeeze && f.viscosity > 0.0;
+  return normal_force<E::normal>(c.normal, g.a, g.un, u, has_film<E>(f), bond);
+}
+
+// Load of the asperities that counts for friction. Tension has none.
+template <class E> inline double frictional_load(const PairCoeffs &c, double contact)
+{
+  if constexpr (E::adhesion) contact = larger(0.0, contact);
+  if constexpr (E::threshold) return rubbing_load(c.threshold, contact);
+  return contact;
 }
 
 inline Vec3 get_vector(const double *slot)
@@ -59,8 +87,13 @@ template <class E>
 inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *next)
 {
   for (int m = 0; m < E::HISTORY_SIZE; m++) next[m] = 0.0;
+  bool bond = false;
+  if constexpr (E::adhesion) {
+    bond = elastic_contact<E::normal>(c.normal, g.a, g.gap, false);
+    next[E::BOND_SLOT] = bond ? 1.0 : 0.0;
+  }
   if constexpr (E::gap_history) {
-    next[E::GAP_SLOT] = elastic_gap(c.normal.gap, g.gap);
+    next[E::GAP_SLOT] = elastic_gap<E::normal>(c.normal, g.a, g.gap, bond);
     next[E::GAP_SLOT + 1] = std::log(next[E::GAP_SLOT]);
   }
   if constexpr (E::surface_history) next[E::SURFACE_SLOT] = g.un;
@@ -73,25 +106,32 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
                          const PairGeometry &g, const Body &i, const Body &j, double dt,
                          const double *old, double *next)
 {
-  if constexpr (!E::surface_history) return;
+  Gap before{}, after{};
+  before.bond = holds<E>(old);
+  if constexpr (!E::gap_history && E::adhesion)
+    after.bond = elastic_contact<E::normal>(c.normal, g.a, g.gap, before.bond);
+  if constexpr (!E::surface_history) {
+    if constexpr (E::adhesion) next[E::BOND_SLOT] = after.bond ? 1.0 : 0.0;
+    return;
+  }
 
   const double un_old = old[E::SURFACE_SLOT];
   const double gap_old = un_old * g.per_a;
-  Gap before{}, after{};
   if constexpr (E::gap_history) {
-    before = {old[E::GAP_SLOT], old[E::GAP_SLOT + 1]};
+    before = {old[E::GAP_SLOT], old[E::GAP_SLOT + 1], before.bond};
     after = next_gap(before, gap_old, g.gap);
     next[E::GAP_SLOT] = after.u;
     next[E::GAP_SLOT + 1] = after.ln_u;
   } else if constexpr (E::reads_gap) {
-    before.u = elastic_gap(c.normal.gap, gap_old);
-    after.u = elastic_gap(c.normal.gap, g.gap);
+    before.u = elastic_gap<E::normal>(c.normal, g.a, gap_old, before.bond);
+    after.u = elastic_gap<E::normal>(c.normal, g.a, g.gap, after.bond);
     if constexpr (E::films) {    // friction alone needs no logarithm
       before.ln_u = logarithm(larger(1e-300, before.u));
       after.ln_u = logarithm(larger(1e-300, after.u));
     }
   }
   next[E::SURFACE_SLOT] = g.un;
+  if constexpr (E::adhesion) next[E::BOND_SLOT] = after.bond ? 1.0 : 0.0;
 
   if constexpr (E::turns || E::twist) {
     const PairMotion m = pair_motion(g, i, j, g.r - g.un + un_old, dt);
@@ -102,8 +142,8 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
     if constexpr (E::tangential) {
       double cone = 0.0, film = 0.0;
       if constexpr (E::friction)
-        cone =
-            c.mu / c.kt * normal_force(c.normal, g.a, g.un, g.a * after.u, has_film<E>(f)).contact;
+        cone = c.mu / c.kt *
+            frictional_load<E>(c, normal_force_of<E>(c, f, g, g.a * after.u, after.bond).contact);
       if constexpr (E::shear) film = shear_resistance(f, g.a, u, ln_u);
       const Vec3 q0 = turned(get_vector(old + E::SHEAR_SLOT), m.turn);
       put_vector(tangential(next_shear(q0, m.slip, cone, film, c.kt * dt), g.n),
@@ -127,7 +167,7 @@ inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry 
                          const Body &j, double dt, const double *old, double *next)
 {
   auto gap = [&](const Gap &before, double un0, double un1) {
-    return next_gap(c.normal, f, g.a, before, un0, un1, dt);
+    return next_gap<E::normal>(c.normal, f, g.a, before, un0, un1, dt);
   };
   step_history<E>(gap, c, f, g, i, j, dt, old, next);
 }
@@ -140,7 +180,7 @@ inline bool next_history_usual(const PairCoeffs &c, const Film &f, const PairGeo
 {
   bool usual = true;
   auto gap = [&](const Gap &before, double un0, double un1) {
-    return next_gap_usual(c.normal, f, g.a, before, un0, un1, dt, usual);
+    return next_gap_usual<E::normal>(c.normal, f, g.a, before, un0, un1, dt, usual);
   };
   step_history<E>(gap, c, f, g, i, j, dt, old, next);
   return usual;
@@ -153,10 +193,17 @@ inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
 {
   Load load{};
   load.u = g.a * present_gap<E>(c, g, history);
-  const NormalForce normal = normal_force(c.normal, g.a, g.un, load.u, has_film<E>(f));
+  const bool bond = holds<E>(history);
+  const NormalForce normal = normal_force_of<E>(c, f, g, load.u, bond);
   load.contact = normal.contact;
   load.film = normal.film;
-  if constexpr (E::friction) load.cone = c.mu * normal.contact;
+  load.normal = normal.contact + normal.film;
+  load.touch = E::adhesion ? bond : normal.contact > 0.0;
+  if constexpr (E::repulsion) {
+    load.repulsion = normal.repulsion;
+    load.normal = load.normal + normal.repulsion;
+  }
+  if constexpr (E::friction) load.cone = c.mu * frictional_load<E>(c, normal.contact);
   if constexpr (E::tangential) load.shear = -c.kt * get_vector(history + E::SHEAR_SLOT);
   const double kr = c.kt * g.a * g.a;
   if constexpr (E::roll) load.couple = -kr * get_vector(history + E::ROLL_SLOT);
@@ -166,7 +213,7 @@ inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
 
 inline Vec3 force_on_i(const Load &load, const PairGeometry &g)
 {
-  return (load.contact + load.film) * g.n + load.shear;
+  return load.normal * g.n + load.shear;
 }
 
 // Torques about the centres; together with the force they conserve angular momentum.
@@ -183,14 +230,14 @@ inline Vec3 torque_on_j(const Load &load, const PairGeometry &g)
 // Contact state, and the share of friction in the tangential force.
 inline ShearSplit split(const Load &load)
 {
-  return shear_split(load.shear, load.cone, load.contact > 0.0);
+  return shear_split(load.shear, load.cone, load.touch);
 }
 
 // Energy stored in the springs.
 template <class E>
 inline double pair_energy(const PairCoeffs &c, const PairGeometry &g, const Load &load)
 {
-  double energy = normal_energy(c.normal, g.a, g.un, load.u);
+  double energy = normal_energy<E::normal>(c.normal, g.a, g.un, load.u, load.touch);
   if constexpr (E::tangential) energy += 0.5 * dot(load.shear, load.shear) / c.kt;
   if constexpr (E::roll || E::twist)
     energy += 0.5 * dot(load.couple, load.couple) / (c.kt * g.a * g.a);

@@ -33,7 +33,7 @@ using lubcontact::PairCoeffs;
 using lubcontact::PairGeometry;
 using lubcontact::Vec3;
 
-static constexpr int SINGLE_EXTRA = 14;
+static constexpr int SINGLE_EXTRA = 15;
 
 /* ---------------------------------------------------------------------- */
 
@@ -41,10 +41,11 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     Pair(lmp), partition_step(-1), partition_atom_step(-1), eta(0.0), eta_name(nullptr),
     eta_var(-1), hc(0.0), range_rule(0), radius_rule(0), euler(0), mode{1, 1, 1, 1},
     roll_coeff(0.6), g(nullptr), kt(nullptr), asperity(nullptr), roughness(nullptr),
-    friction(nullptr), coulomb(nullptr), coeffs(nullptr), reach(nullptr),
-    film(new lubcontact::Film()), longest(0.0), max_radius(nullptr), fix_history(nullptr),
-    reported(false), partition_now(false), partition_atom_now(false), mask(0), size_history(0),
-    eval(nullptr), eval_single(nullptr), exchange(nullptr)
+    friction(nullptr), law(nullptr), critical(nullptr), adhesion(nullptr), repulsion(nullptr),
+    screening(nullptr), coeffs(nullptr), reach(nullptr), film(new lubcontact::Film()), longest(0.0),
+    max_radius(nullptr), fix_history(nullptr), reported(false), partition_now(false),
+    partition_atom_now(false), mask(0), size_history(0), eval(nullptr), eval_single(nullptr),
+    exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
 
@@ -93,7 +94,11 @@ PairLubcontact::~PairLubcontact()
     memory->destroy(asperity);
     memory->destroy(roughness);
     memory->destroy(friction);
-    memory->destroy(coulomb);
+    memory->destroy(law);
+    memory->destroy(critical);
+    memory->destroy(adhesion);
+    memory->destroy(repulsion);
+    memory->destroy(screening);
     memory->destroy(coeffs);
     memory->destroy(reach);
   }
@@ -159,6 +164,20 @@ void PairLubcontact::init_style()
   longest = 0.0;    // init_one() comes next
   clients = modify->get_compute_by_style("^stress/partition$");
   atom_clients = modify->get_compute_by_style("^stress/partition/atom");
+}
+
+/* ----------------------------------------------------------------------
+   the instance of the loop for the effects in use
+------------------------------------------------------------------------- */
+
+void PairLubcontact::choose_effects()
+{
+  using lubcontact::ADHESION, lubcontact::REPULSION;
+  const unsigned extensions = mask & (ADHESION | REPULSION);
+  if (extensions == 0) choose_extended<0>();
+  if (extensions == ADHESION) choose_extended<ADHESION>();
+  if (extensions == REPULSION) choose_extended<REPULSION>();
+  if (extensions == (ADHESION | REPULSION)) choose_extended<ADHESION | REPULSION>();
 }
 
 /* ----------------------------------------------------------------------
@@ -253,9 +272,10 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
                                        load.couple.x,
                                        load.couple.y,
                                        load.couple.z,
-                                       static_cast<double>(parts.state)};
+                                       static_cast<double>(parts.state),
+                                       load.repulsion};
   memcpy(svector, values, sizeof(values));
-  fforce = (load.contact + load.film) / geometry.r;
+  fforce = load.normal / geometry.r;
   return energy;
 }
 
@@ -264,6 +284,6 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
 double PairLubcontact::memory_usage()
 {
   const double n = atom->ntypes + 1.0;
-  return Pair::memory_usage() + n * n * (6 * sizeof(double) + sizeof(int) + sizeof(PairCoeffs)) +
+  return Pair::memory_usage() + n * n * (10 * sizeof(double) + sizeof(int) + sizeof(PairCoeffs)) +
       partition_atom.capacity() * sizeof(partition_atom[0]);
 }

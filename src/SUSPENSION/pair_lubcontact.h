@@ -29,6 +29,7 @@ struct Film;
 struct Load;
 struct PairCoeffs;
 struct PairGeometry;
+enum class FrictionLaw;
 }    // namespace lubcontact
 
 namespace LAMMPS_NS {
@@ -58,7 +59,7 @@ class PairLubcontact : public Pair {
   double memory_usage() override;
 
   // stress by origin, in the steps that a compute stress/partition asked for
-  static constexpr int NUM_PARTS = 4;             // contact and lubrication, normal and tangential
+  static constexpr int NUM_PARTS = 5;             // lubcontact::Channel
   static constexpr int NUM_COMPONENTS = 9;        // xx yy zz xy xz yz yx zx zy of sum r_a F_b
   double partition[NUM_PARTS][NUM_COMPONENTS];    // this rank's share
   bigint partition_step;                          // step it belongs to
@@ -83,7 +84,10 @@ class PairLubcontact : public Pair {
 
   // coefficients per pair of types, as given or mixed
   double **g, **kt, **asperity, **roughness, **friction;
-  int **coulomb;                      // friction law: none (0) or coulomb (1)
+  int **law;                          // lubcontact::FrictionLaw
+  double **critical;                  // load of the law, force
+  double **adhesion;                  // beyond the asperities, over the effective radius
+  double **repulsion, **screening;    // force at closed gap; its length, 0: none
   lubcontact::PairCoeffs **coeffs;    // what the loop needs
   double **reach;                     // largest gap that acts, over the effective radius
   lubcontact::Film *film;
@@ -110,7 +114,8 @@ class PairLubcontact : public Pair {
   Single eval_single;
   Exchange exchange;
   void choose_effects();
-  template <std::size_t... MASK> void choose_effects(std::index_sequence<MASK...>);
+  template <unsigned EXTENSIONS> void choose_extended();
+  template <unsigned... MASK> void choose_among(std::integer_sequence<unsigned, MASK...>);
   struct Queue;
   template <unsigned MASK> void eval_effects();
   template <class E> void fill(Queue &);
@@ -136,6 +141,13 @@ class PairLubcontact : public Pair {
   const double *find_history(int, int, double *) const;
   void start_partition();
   void tally_partition(int, int, const lubcontact::PairGeometry &, const lubcontact::Load &);
+  lubcontact::FrictionLaw friction_law(int, int, char **) const;
+  void mix(int, int);
+  void check_pair(int, int) const;
+  double find_reach(int, int) const;
+  std::array<double **, 9> numbers() const;
+  std::string coeff_words(int, int) const;
+  void check_repulsion(double) const;
   void write_pair(FILE *, int, int) const;
   void check_box() const;
   double sum_stiffness();

@@ -25,6 +25,9 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
+using lubcontact::FRICTION_NAME;
+using lubcontact::FrictionLaw;
+using lubcontact::PairCoeffs;
 
 static constexpr const char *MODE_NAME[4] = {"squeeze", "shear", "roll", "twist"};
 static constexpr unsigned MODE_BIT[4] = {lubcontact::SQUEEZE, lubcontact::SHEAR, lubcontact::ROLL,
@@ -44,11 +47,15 @@ void PairLubcontact::allocate()
   memory->create(asperity, n, n, "pair:asperity");
   memory->create(roughness, n, n, "pair:roughness");
   memory->create(friction, n, n, "pair:friction");
-  memory->create(coulomb, n, n, "pair:coulomb");
+  memory->create(law, n, n, "pair:law");
+  memory->create(critical, n, n, "pair:critical");
+  memory->create(adhesion, n, n, "pair:adhesion");
+  memory->create(repulsion, n, n, "pair:repulsion");
+  memory->create(screening, n, n, "pair:screening");
   memory->create(coeffs, n, n, "pair:coeffs");
   memory->create(reach, n, n, "pair:reach");
   for (int i = 0; i < n; i++)
-    for (int j = 0; j < n; j++) setflag[i][j] = coulomb[i][j] = 0;
+    for (int j = 0; j < n; j++) setflag[i][j] = law[i][j] = 0;
   max_radius = new double[n]();
 }
 
@@ -128,6 +135,24 @@ void PairLubcontact::settings(int narg, char **arg)
 }
 
 /* ----------------------------------------------------------------------
+   the word, or two words, after friction
+------------------------------------------------------------------------- */
+
+FrictionLaw PairLubcontact::friction_law(int iarg, int narg, char **arg) const
+{
+  std::string name = arg[iarg + 1];
+  int word = iarg + 1;
+  if (name == "clm" && iarg + 2 < narg) name += std::string(" ") + arg[++word];
+  for (int m = 0; m < static_cast<int>(FrictionLaw::NUM_LAWS); m++)
+    if (name == FRICTION_NAME[m]) return static_cast<FrictionLaw>(m);
+  error->all(
+      FLERR, word,
+      "Pair style lubcontact friction must be none, coulomb mu, or clm step, clm shift or clm "
+      "ramp with mu and the critical load, but is {}",
+      name);
+}
+
+/* ----------------------------------------------------------------------
    pair_coeff I J g kt keyword value ...
 ------------------------------------------------------------------------- */
 
@@ -150,8 +175,10 @@ void PairLubcontact::coeff(int narg, char **arg)
 
   const double g_one = number(2, "stiffness g", false);
   const double kt_one = number(3, "stiffness kt", false);
-  double asperity_one = g_one, roughness_one = 0.0, friction_one = 0.0;
-  int coulomb_one = 0;
+  double asperity_one = g_one, roughness_one = 0.0, friction_one = 0.0, critical_one = 0.0;
+  double adhesion_one = 0.0, repulsion_one = 0.0, screening_one = 0.0;
+  auto law_one = FrictionLaw::NONE;
+  int adhesion_word = 0;
 
   for (int iarg = 4; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
@@ -165,23 +192,38 @@ void PairLubcontact::coeff(int narg, char **arg)
     } else if (key == "asperity") {
       asperity_one = number(iarg + 1, "asperity stiffness", false);
     } else if (key == "friction") {
-      const std::string law = arg[iarg + 1];
-      if (law == "none") {
-        coulomb_one = 0;
-      } else if (law == "coulomb") {
-        if (iarg + 2 >= narg)
-          utils::missing_cmd_args(FLERR, "pair_coeff lubcontact friction coulomb", error);
-        friction_one = number(iarg + 2, "coefficient of friction", true);
-        coulomb_one = 1;
-        iarg++;
-      } else {
-        error->all(FLERR, iarg + 1,
-                   "Pair style lubcontact friction must be none or coulomb mu, but is {}", law);
+      law_one = friction_law(iarg, narg, arg);
+      const int words = law_one == FrictionLaw::NONE ? 0 : law_one == FrictionLaw::COULOMB ? 1 : 3;
+      if (iarg + 1 + words >= narg)
+        utils::missing_cmd_args(FLERR,
+                                fmt::format("pair_coeff lubcontact friction {}",
+                                            FRICTION_NAME[static_cast<int>(law_one)]),
+                                error);
+      friction_one = critical_one = 0.0;
+      if (words == 1) friction_one = number(iarg + 2, "coefficient of friction", true);
+      if (words == 3) {
+        friction_one = number(iarg + 3, "coefficient of friction", true);
+        critical_one = number(iarg + 4, "critical load", true);
       }
+      iarg += words;
+    } else if (key == "adhesion") {
+      adhesion_word = iarg + 1;
+      adhesion_one = number(adhesion_word, "adhesion", true);
+    } else if (key == "repulsion") {
+      if (iarg + 2 >= narg)
+        utils::missing_cmd_args(FLERR, "pair_coeff lubcontact repulsion", error);
+      repulsion_one = number(iarg + 1, "repulsion", true);
+      screening_one = number(iarg + 2, "screening length", false);
+      iarg++;
     } else {
       error->all(FLERR, iarg, "Unknown pair_coeff lubcontact keyword: {}", key);
     }
   }
+
+  if (adhesion_one > 0.0 && roughness_one == 0.0)
+    error->all(FLERR, adhesion_word,
+               "Pair style lubcontact adhesion is of asperities, but these types have none: give "
+               "them a roughness > 0");
 
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
@@ -191,7 +233,11 @@ void PairLubcontact::coeff(int narg, char **arg)
       asperity[i][j] = asperity_one;
       roughness[i][j] = roughness_one;
       friction[i][j] = friction_one;
-      coulomb[i][j] = coulomb_one;
+      law[i][j] = static_cast<int>(law_one);
+      critical[i][j] = critical_one;
+      adhesion[i][j] = adhesion_one;
+      repulsion[i][j] = repulsion_one;
+      screening[i][j] = screening_one;
       setflag[i][j] = 1;
       count++;
     }
@@ -239,56 +285,119 @@ unsigned PairLubcontact::choose_mask() const
   for (int m = 0; m < 4; m++)
     if (mode[m]) bits |= MODE_BIT[m];
   for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++)
-      if (setflag[i][j] && coulomb[i][j]) bits |= lubcontact::FRICTION;
+    for (int j = i; j <= atom->ntypes; j++) {
+      if (!setflag[i][j]) continue;
+      if (law[i][j] != static_cast<int>(FrictionLaw::NONE)) bits |= lubcontact::FRICTION;
+      if (law[i][j] > static_cast<int>(FrictionLaw::COULOMB)) bits |= lubcontact::THRESHOLD;
+      if (adhesion[i][j] > 0.0) bits |= lubcontact::ADHESION;
+      if (screening[i][j] > 0.0) bits |= lubcontact::REPULSION;
+    }
   return bits;
 }
 
 /* ----------------------------------------------------------------------
-   mixing: springs in series, mean roughness, geometric friction
+   mixing: springs in series, mean roughness, geometric friction, adhesion and repulsion
 ------------------------------------------------------------------------- */
 
-double PairLubcontact::init_one(int i, int j)
+void PairLubcontact::mix(int i, int j)
 {
-  if (setflag[i][j] == 0) {
-    auto series = [i, j](double **k) {
-      return 2.0 * k[i][i] * k[j][j] / (k[i][i] + k[j][j]);
-    };
-    g[i][j] = series(g);
-    kt[i][j] = series(kt);
-    asperity[i][j] = series(asperity);
-    roughness[i][j] = 0.5 * (roughness[i][i] + roughness[j][j]);
-    friction[i][j] = sqrt(friction[i][i] * friction[j][j]);
-    coulomb[i][j] = coulomb[i][i] && coulomb[j][j];
-    did_mix = true;
-  }
+  auto series = [i, j](double **k) {
+    return 2.0 * k[i][i] * k[j][j] / (k[i][i] + k[j][j]);
+  };
+  auto geometric = [i, j](double **k) {
+    return sqrt(k[i][i] * k[j][j]);
+  };
+  g[i][j] = series(g);
+  kt[i][j] = series(kt);
+  asperity[i][j] = series(asperity);
+  roughness[i][j] = 0.5 * (roughness[i][i] + roughness[j][j]);
+  friction[i][j] = geometric(friction);
+  critical[i][j] = geometric(critical);
+  adhesion[i][j] = geometric(adhesion);
+  repulsion[i][j] = geometric(repulsion);
+  screening[i][j] = repulsion[i][j] > 0.0 ? 0.5 * (screening[i][i] + screening[j][j]) : 0.0;
+
+  const bool none = !law[i][i] || !law[j][j];
+  if (!none && law[i][i] != law[j][j])
+    error->all(FLERR,
+               "Types {} and {} of pair style lubcontact have different laws of friction, {} and "
+               "{}: say with pair_coeff {} {} which one acts between them",
+               i, j, FRICTION_NAME[law[i][i]], FRICTION_NAME[law[j][j]], i, j);
+  law[i][j] = none ? 0 : law[i][i];
+  did_mix = true;
+}
+
+/* ----------------------------------------------------------------------
+   coefficients may be changed by fix adapt
+------------------------------------------------------------------------- */
+
+void PairLubcontact::check_pair(int i, int j) const
+{
   if (!(g[i][j] > 0.0 && kt[i][j] > 0.0 && asperity[i][j] > 0.0 && roughness[i][j] >= 0.0 &&
-        roughness[i][j] < hc && friction[i][j] >= 0.0))
+        roughness[i][j] < hc && friction[i][j] >= 0.0 && critical[i][j] >= 0.0 &&
+        repulsion[i][j] >= 0.0))
     error->all(FLERR,
                "Pair style lubcontact coefficients of types {} {} left their range: g {} kt {} "
-               "asperity {} roughness {} friction {}",
-               i, j, g[i][j], kt[i][j], asperity[i][j], roughness[i][j], friction[i][j]);
-  if (!coulomb[i][j] && friction[i][j] > 0.0)
+               "asperity {} roughness {} friction {} critical load {} repulsion {}",
+               i, j, g[i][j], kt[i][j], asperity[i][j], roughness[i][j], friction[i][j],
+               critical[i][j], repulsion[i][j]);
+  if (!law[i][j] && friction[i][j] > 0.0)
     error->all(FLERR,
                "Pair style lubcontact has no friction between types {} {} that could be changed: "
                "give pair_coeff friction coulomb 0 first",
                i, j);
+  if (law[i][j] <= static_cast<int>(FrictionLaw::COULOMB) && critical[i][j] > 0.0)
+    error->all(FLERR,
+               "Pair style lubcontact has no critical load between types {} {} that could be "
+               "changed: give pair_coeff friction clm first",
+               i, j);
+  if (screening[i][j] == 0.0 && repulsion[i][j] > 0.0)
+    error->all(FLERR,
+               "Pair style lubcontact has no repulsion between types {} {} that could be changed: "
+               "give pair_coeff repulsion 0 with a screening length first",
+               i, j);
+}
 
-  const double eps = roughness[i][j];
-  const lubcontact::GapLaw gap{asperity[i][j] / g[i][j], eps, eps > 0.0 ? log(eps) : -HUGE_VAL,
-                               euler != 0};
-  coeffs[i][j] = {{g[i][j], asperity[i][j], gap}, kt[i][j], coulomb[i][j] ? friction[i][j] : 0.0};
-  // without any film only touching asperities act
-  reach[i][j] = mode[SQUEEZE] || mode[SHEAR] || mode[ROLL] || mode[TWIST] ? hc : eps;
+/* ----------------------------------------------------------------------
+   largest gap that acts, over the effective radius: without films and repulsion that of a contact
+------------------------------------------------------------------------- */
 
-  g[j][i] = g[i][j];
-  kt[j][i] = kt[i][j];
-  asperity[j][i] = asperity[i][j];
-  roughness[j][i] = roughness[i][j];
-  friction[j][i] = friction[i][j];
-  coulomb[j][i] = coulomb[i][j];
-  coeffs[j][i] = coeffs[i][j];
+double PairLubcontact::find_reach(int i, int j) const
+{
+  const double eps = roughness[i][j], delta = adhesion[i][j];
+  const double contact = eps + delta * (1.0 + asperity[i][j] / g[i][j]);    // bulk stretched
+  const bool films = mode[SQUEEZE] || mode[SHEAR] || mode[ROLL] || mode[TWIST];
+  if (!films && screening[i][j] == 0.0) return contact;
+  if (delta > 0.0 && contact >= hc)
+    error->all(FLERR,
+               "Adhesive contacts of types {} {} break at {:.6g} effective radii, beyond the range "
+               "{} of pair style lubcontact: reduce the adhesion or extend the range",
+               i, j, contact, hc);
+  return hc;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairLubcontact::init_one(int i, int j)
+{
+  if (setflag[i][j] == 0) mix(i, j);
+  check_pair(i, j);
+
+  const double eps = roughness[i][j], release = eps + adhesion[i][j];
+  lubcontact::GapLaw gap{asperity[i][j] / g[i][j], eps, eps > 0.0 ? log(eps) : -HUGE_VAL,
+                         euler != 0};
+  gap.release = release;
+  gap.ln_release = adhesion[i][j] > 0.0 ? log(release) : gap.ln_eps;
+  PairCoeffs &c = coeffs[i][j];
+  c = {{g[i][j], asperity[i][j], gap}, kt[i][j], friction[i][j]};
+  c.threshold = lubcontact::make_threshold(static_cast<FrictionLaw>(law[i][j]), critical[i][j]);
+  if (screening[i][j] > 0.0) c.normal.repulsion = {repulsion[i][j], 1.0 / screening[i][j]};
+  reach[i][j] = find_reach(i, j);
+
+  for (double **k : numbers()) k[j][i] = k[i][j];
   reach[j][i] = reach[i][j];
+  law[j][i] = law[i][j];
+  coeffs[j][i] = coeffs[i][j];
 
   const double ri = max_radius[i], rj = max_radius[j];
   const double gap_end = ri > 0.0 && rj > 0.0 ? reach[i][j] * effective_radius(ri, rj) : 0.0;
@@ -309,5 +418,7 @@ void *PairLubcontact::extract(const char *name, int &dim)
   if (strcmp(name, "asperity") == 0) return asperity;
   if (strcmp(name, "roughness") == 0) return roughness;
   if (strcmp(name, "friction") == 0) return friction;
+  if (strcmp(name, "critical") == 0) return critical;
+  if (strcmp(name, "repulsion") == 0) return repulsion;
   return nullptr;
 }

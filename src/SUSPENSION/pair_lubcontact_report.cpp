@@ -166,6 +166,25 @@ void PairLubcontact::setup()
 }
 
 /* ----------------------------------------------------------------------
+   a repulsion that has not died out where pairs come into range: its force would jump there
+------------------------------------------------------------------------- */
+
+void PairLubcontact::check_repulsion(double smallest) const
+{
+  static constexpr double MOST = 1e-3;    // of the force at closed gap
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      if (repulsion[i][j] == 0.0) continue;
+      const double left = exp(-hc * smallest / screening[i][j]);
+      if (left > MOST)
+        error->warning(FLERR,
+                       "Repulsion of types {} {} still has {:.3g} of its force at the end of the "
+                       "range {} of pair style lubcontact, where it jumps: extend the range",
+                       i, j, left, hc);
+    }
+}
+
+/* ----------------------------------------------------------------------
    table: what this run simulates
 ------------------------------------------------------------------------- */
 
@@ -181,6 +200,7 @@ void PairLubcontact::report(double pairs, double limit)
   }
   MPI_Allreduce(mine, most, 3, MPI_DOUBLE, MPI_MAX, world);
   if (comm->me) return;
+  check_repulsion(-most[1]);
 
   auto yes = [](bool on) {
     return on ? "yes" : "no";
@@ -192,7 +212,9 @@ void PairLubcontact::report(double pairs, double limit)
   text += fmt::format("  rolling film   {}{}\n", yes(mode[ROLL]),
                       mode[ROLL] ? fmt::format(", coefficient {:.6g}", roll_coeff) : "");
   text += fmt::format("  twisting film  {}\n", yes(mode[TWIST]));
-  text += fmt::format("  friction       {}\n", mask & lubcontact::FRICTION ? "coulomb" : "none");
+  text += fmt::format("  friction       {}\n", yes(mask & lubcontact::FRICTION));
+  text += fmt::format("  adhesion       {}\n", yes(mask & lubcontact::ADHESION));
+  text += fmt::format("  repulsion      {}\n", yes(mask & lubcontact::REPULSION));
   text += fmt::format("  range          {} {:.6g} effective radii, radius {}\n",
                       range_rule ? "shifted" : "cut", hc, radius_rule ? "harmonic" : "mean");
   text += fmt::format("  viscosity      {:.6g}{}\n", eta,
@@ -204,10 +226,8 @@ void PairLubcontact::report(double pairs, double limit)
   const int shown = MIN(atom->ntypes, 4);
   for (int i = 1; i <= shown; i++)
     for (int j = i; j <= shown; j++)
-      text += fmt::format("  types {} {}      g {:.6g} kt {:.6g} asperity {:.6g} roughness {:.6g} "
-                          "friction {:.6g}\n",
-                          i, j, g[i][j], kt[i][j], asperity[i][j], roughness[i][j],
-                          coulomb[i][j] ? friction[i][j] : 0.0);
+      text += fmt::format("  types {} {}      g {:.6g} kt {:.6g} {}\n", i, j, g[i][j], kt[i][j],
+                          coeff_words(i, j));
   if (shown < atom->ntypes) text += "  further types: see write_data pair ij\n";
   text += fmt::format("  time step      {:.6g}, {:.3g} of the stability limit {:.6g}\n", update->dt,
                       update->dt / limit, limit);

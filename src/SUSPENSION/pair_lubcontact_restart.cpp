@@ -14,6 +14,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "lubcontact_friction.h"
 
 #include <cstring>
 
@@ -63,6 +64,15 @@ void PairLubcontact::read_restart_settings(FILE *fp)
   for (int m = 0; m < 4; m++) mode[m] = choices[3 + m];
 }
 
+/* ----------------------------------------------------------------------
+   coefficients per pair of types, in the order of a restart file
+------------------------------------------------------------------------- */
+
+std::array<double **, 9> PairLubcontact::numbers() const
+{
+  return {g, kt, asperity, roughness, friction, critical, adhesion, repulsion, screening};
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::write_restart(FILE *fp)
@@ -70,11 +80,10 @@ void PairLubcontact::write_restart(FILE *fp)
   write_restart_settings(fp);
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
-      const int flags[2] = {setflag[i][j], coulomb[i][j]};
+      const int flags[2] = {setflag[i][j], law[i][j]};
       fwrite(flags, sizeof(int), 2, fp);
       if (!setflag[i][j]) continue;
-      const double values[5] = {g[i][j], kt[i][j], asperity[i][j], roughness[i][j], friction[i][j]};
-      fwrite(values, sizeof(double), 5, fp);
+      for (double **k : numbers()) fwrite(&k[i][j], sizeof(double), 1, fp);
     }
 }
 
@@ -87,30 +96,38 @@ void PairLubcontact::read_restart(FILE *fp)
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
       int flags[2];
-      double values[5];
       if (comm->me == 0) utils::sfread(FLERR, flags, sizeof(int), 2, fp, nullptr, error);
       MPI_Bcast(flags, 2, MPI_INT, 0, world);
       setflag[i][j] = flags[0];
-      coulomb[i][j] = flags[1];
+      law[i][j] = flags[1];
       if (!setflag[i][j]) continue;
-      if (comm->me == 0) utils::sfread(FLERR, values, sizeof(double), 5, fp, nullptr, error);
-      MPI_Bcast(values, 5, MPI_DOUBLE, 0, world);
-      g[i][j] = values[0];
-      kt[i][j] = values[1];
-      asperity[i][j] = values[2];
-      roughness[i][j] = values[3];
-      friction[i][j] = values[4];
+      for (double **k : numbers()) {
+        if (comm->me == 0) utils::sfread(FLERR, &k[i][j], sizeof(double), 1, fp, nullptr, error);
+        MPI_Bcast(&k[i][j], 1, MPI_DOUBLE, 0, world);
+      }
     }
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   keywords of pair_coeff that say what types i and j have
+------------------------------------------------------------------------- */
+
+std::string PairLubcontact::coeff_words(int i, int j) const
+{
+  std::string words = fmt::format("asperity {} roughness {} friction {}", asperity[i][j],
+                                  roughness[i][j], lubcontact::FRICTION_NAME[law[i][j]]);
+  if (law[i][j]) words += fmt::format(" {}", friction[i][j]);
+  if (law[i][j] > static_cast<int>(lubcontact::FrictionLaw::COULOMB))
+    words += fmt::format(" {}", critical[i][j]);
+  if (adhesion[i][j] > 0.0) words += fmt::format(" adhesion {}", adhesion[i][j]);
+  if (screening[i][j] > 0.0)
+    words += fmt::format(" repulsion {} {}", repulsion[i][j], screening[i][j]);
+  return words;
+}
 
 void PairLubcontact::write_pair(FILE *fp, int i, int j) const
 {
-  fmt::print(fp, " {} {} asperity {} roughness {}", g[i][j], kt[i][j], asperity[i][j],
-             roughness[i][j]);
-  if (coulomb[i][j]) fmt::print(fp, " friction coulomb {}", friction[i][j]);
-  fputs("\n", fp);
+  fmt::print(fp, " {} {} {}\n", g[i][j], kt[i][j], coeff_words(i, j));
 }
 
 void PairLubcontact::write_data(FILE *fp)
