@@ -17,7 +17,7 @@
 #include "fix_neigh_history.h"
 #include "force.h"
 #include "lubcontact_channels.h"
-#include "lubcontact_pair.h"
+#include "lubcontact_power.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
@@ -38,16 +38,17 @@ static constexpr int SINGLE_EXTRA = 15;
 /* ---------------------------------------------------------------------- */
 
 PairLubcontact::PairLubcontact(LAMMPS *lmp) :
-    Pair(lmp), partition_step(-1), partition_atom_step(-1), eta(0.0), eta_name(nullptr),
-    eta_var(-1), hc(0.0), range_rule(0), radius_rule(0), euler(0), mode{1, 1, 1, 1},
-    roll_coeff(0.6), g(nullptr), kt(nullptr), asperity(nullptr), roughness(nullptr),
-    friction(nullptr), law(nullptr), critical(nullptr), adhesion(nullptr), repulsion(nullptr),
-    screening(nullptr), coeffs(nullptr), reach(nullptr), film(new lubcontact::Film()), longest(0.0),
-    max_radius(nullptr), fix_history(nullptr), reported(false), partition_now(false),
-    partition_atom_now(false), mask(0), size_history(0), eval(nullptr), eval_single(nullptr),
-    exchange(nullptr)
+    Pair(lmp), power_step(-1), partition_step(-1), partition_atom_step(-1), eta(0.0),
+    eta_name(nullptr), eta_var(-1), hc(0.0), range_rule(0), radius_rule(0),
+    euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr), kt(nullptr), asperity(nullptr),
+    roughness(nullptr), friction(nullptr), law(nullptr), critical(nullptr), adhesion(nullptr),
+    repulsion(nullptr), screening(nullptr), coeffs(nullptr), reach(nullptr),
+    film(new lubcontact::Film()), longest(0.0), max_radius(nullptr), fix_history(nullptr),
+    reported(false), partition_now(false), partition_atom_now(false), power_now(false), mask(0),
+    size_history(0), eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
+  static_assert(NUM_ORIGINS == lubcontact::NUM_ORIGINS, "one row of power per origin");
 
   single_enable = 1;
   restartinfo = 1;
@@ -116,7 +117,7 @@ void PairLubcontact::compute(int eflag, int vflag)
 }
 
 /* ----------------------------------------------------------------------
-   is this step announced for a compute stress/partition?
+   is this step announced for a compute stress/partition or power/partition?
 ------------------------------------------------------------------------- */
 
 void PairLubcontact::start_partition()
@@ -127,7 +128,8 @@ void PairLubcontact::start_partition()
       if (compute->matchstep(update->ntimestep)) any = true;
     return any;
   };
-  partition_now = announced(clients);
+  power_now = announced(power_clients);
+  partition_now = power_now || announced(clients);    // the power put in is of the stress
   if (partition_now) {
     memset(partition, 0, sizeof(partition));
     partition_step = update->ntimestep;
@@ -136,6 +138,11 @@ void PairLubcontact::start_partition()
   if (partition_atom_now) {
     partition_atom.assign(atom->nlocal + atom->nghost, {});
     partition_atom_step = update->ntimestep;
+  }
+  if (power_now) {
+    memset(heat, 0, sizeof(heat));
+    memset(stored, 0, sizeof(stored));
+    power_step = update->ntimestep;
   }
 }
 
@@ -164,6 +171,7 @@ void PairLubcontact::init_style()
   longest = 0.0;    // init_one() comes next
   clients = modify->get_compute_by_style("^stress/partition$");
   atom_clients = modify->get_compute_by_style("^stress/partition/atom");
+  power_clients = modify->get_compute_by_style("^power/partition$");
 }
 
 /* ----------------------------------------------------------------------

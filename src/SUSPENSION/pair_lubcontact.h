@@ -58,6 +58,12 @@ class PairLubcontact : public Pair {
   void unpack_reverse_comm(int, int *, double *) override;
   double memory_usage() override;
 
+  // energy by origin, in the steps that a compute power/partition asked for: turned into heat by the
+  // step, and stored after it
+  static constexpr int NUM_ORIGINS = 7;             // lubcontact::PowerOrigin
+  double heat[NUM_ORIGINS], stored[NUM_ORIGINS];    // this rank's share
+  bigint power_step;                                // step they belong to
+
   // stress by origin, in the steps that a compute stress/partition asked for
   static constexpr int NUM_PARTS = 5;             // lubcontact::Channel
   static constexpr int NUM_COMPONENTS = 9;        // xx yy zz xy xz yz yx zx zy of sum r_a F_b
@@ -99,9 +105,10 @@ class PairLubcontact : public Pair {
   std::string history_id, dummy_id;
   class FixNeighHistory *fix_history;
   bool reported;    // the table of this run has been printed
-  bool partition_now, partition_atom_now;
-  std::vector<class Compute *> clients;         // every compute stress/partition
-  std::vector<class Compute *> atom_clients;    // every compute stress/partition/atom
+  bool partition_now, partition_atom_now, power_now;
+  std::vector<class Compute *> clients;          // every compute stress/partition
+  std::vector<class Compute *> atom_clients;     // every compute stress/partition/atom
+  std::vector<class Compute *> power_clients;    // every compute power/partition
 
   // one instance of the loop per combination of effects
   using Eval = void (PairLubcontact::*)();
@@ -124,11 +131,16 @@ class PairLubcontact : public Pair {
   template <class E> void flush(Queue &);
   void add_virial(Queue &) const;
   double share(int) const;
+  lubcontact::Body body(int) const;
   template <unsigned MASK>
   lubcontact::Load single_effects(int, int, const lubcontact::PairGeometry &, double &);
   template <class E>
   void tally_pair(int, int, const lubcontact::PairCoeffs &, const lubcontact::PairGeometry &,
                   const lubcontact::Load &);
+
+  template <class E>
+  void tally_power(const Queue &, int, const double *, const lubcontact::PairGeometry &,
+                   const lubcontact::Load &);
 
   void allocate();
   void find_max_radius();

@@ -19,6 +19,7 @@
 #include "force.h"
 #include "lubcontact_batch.h"
 #include "lubcontact_channels.h"
+#include "lubcontact_power.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "update.h"
@@ -171,6 +172,11 @@ template <class E> void PairLubcontact::fill(Queue &queue)
   }
 }
 
+inline Body PairLubcontact::body(int i) const
+{
+  return {vector(atom->x[i]), vector(atom->v[i]), vector(atom->omega[i]), atom->radius[i]};
+}
+
 /* ----------------------------------------------------------------------
    one pair by itself; not to advance leaves its history as it is
 ------------------------------------------------------------------------- */
@@ -181,9 +187,6 @@ PairLubcontact::step_alone(const Queue &queue, int l, bool advance, PairGeometry
 {
   const int i = queue.i[l], j = queue.j[l];
   const PairCoeffs &c = *queue.coeffs[l];
-  auto body = [this](int k) {
-    return Body{vector(atom->x[k]), vector(atom->v[k]), vector(atom->omega[k]), atom->radius[k]};
-  };
   const Body body_i = body(i), body_j = body(j);
   geometry =
       lubcontact::pair_geometry(body_i.x, body_j.x, body_i.radius, body_j.radius, queue.batch.a[l]);
@@ -208,7 +211,8 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
   constexpr bool TORQUE = E::turns || E::twist;
   const bool advance = !update->setupflag;    // a set-up sees the history of the last step
   const bool together = (advance || !E::HISTORY_SIZE) && !(E::gap_history && euler);
-  const bool tally = eflag_either || vflag_atom || partition_now || partition_atom_now;
+  const bool tally = eflag_either || vflag_atom || partition_now || partition_atom_now || power_now;
+  [[maybe_unused]] double old[E::HISTORY_SIZE + 1];    // for the power of the step
   const Batch &b = queue.batch;
   double **f = atom->f, **torque = atom->torque;
   if (together) {
@@ -222,6 +226,8 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
     PairGeometry geometry;
     Load load;
     Vec3 force_i, torque_i, torque_j;
+    if (power_now)
+      for (int m = 0; m < E::HISTORY_SIZE; m++) old[m] = queue.history[l][m];
     if (done) {
       for (int m = 0; m < E::HISTORY_SIZE; m++) queue.history[l][m] = b.history[m][l];
       force_i = get_lane(b.force, l);
@@ -242,6 +248,7 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
       if (TORQUE) add(torque_j, torque[j]);
     }
     if (tally) tally_pair<E>(i, j, *queue.coeffs[l], geometry, load);
+    if (power_now) tally_power<E>(queue, l, old, geometry, load);
   }
   if (vflag_global) add_virial(queue);
   queue.n = 0;
@@ -271,6 +278,27 @@ template <class E>
                  force_i.z, d.x, d.y, d.z);
   }
   if (partition_now || partition_atom_now) tally_partition(i, j, geometry, load);
+}
+
+/* ----------------------------------------------------------------------
+   energy by origin: stored after this step, and lost in it; old is the history before it
+------------------------------------------------------------------------- */
+
+template <class E>
+[[gnu::noinline]] void PairLubcontact::tally_power(const Queue &queue, int l, const double *old,
+                                                   const PairGeometry &geometry, const Load &load)
+{
+  const int i = queue.i[l], j = queue.j[l];
+  const PairCoeffs &c = *queue.coeffs[l];
+  const double *next = E::HISTORY_SIZE ? queue.history[l] : nullptr;
+  const double weight = share(j);
+  const auto energy = lubcontact::stored_energy<E>(c, geometry, load, next);
+  for (int m = 0; m < NUM_ORIGINS; m++) stored[m] += weight * energy.of[m];
+  if (queue.first[l] || update->setupflag) return;
+
+  const auto loss =
+      lubcontact::step_loss<E>(c, *film, geometry, body(i), body(j), update->dt, old, next);
+  for (int m = 0; m < NUM_ORIGINS; m++) heat[m] += weight * loss.of[m];
 }
 
 /* ---------------------------------------------------------------------- */

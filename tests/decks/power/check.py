@@ -1,0 +1,42 @@
+# ranks: 1 2 4
+"""The balance of energy closes: what shear puts in is stored, kinetic, or turned into heat, by origin."""
+import numpy as np
+
+import deck
+
+ORIGINS = ("contact/normal", "contact/tangential", "squeeze", "shear", "roll", "twist", "repulsion", "drag", "kinetic")
+
+
+def balance(dt, **case):
+    """Defect of the balance at its worst over what was put in, and heat by origin over it."""
+    t = deck.run("in.power", **case).thermo()
+    put = t["c_p"]
+    heat, stored = (np.array([t[f"c_p[{m}][{column}]"] for m in range(1, 10)]).T for column in (1, 2))
+    work = np.concatenate(([0.0], np.cumsum(0.5 * (put[1:] + put[:-1])))) * dt
+    lost = np.concatenate(([0.0], np.cumsum(np.sum(heat[1:], axis=1)))) * dt
+    total = np.sum(stored, axis=1)
+    defect = work - lost - (total - total[0])
+    scale = np.max(np.abs(work))
+    print(f"{case}: put in {work[-1]:.6g}, heat {lost[-1]:.6g}, stored {total[-1] - total[0]:.6g}")
+    return np.max(np.abs(defect)) / scale, np.sum(heat, axis=0) * dt / scale, heat
+
+
+ALL = {"contact": "friction clm shift 0.5 0.5 adhesion 0.005 repulsion 2 0.02"}
+CASES = ({}, {"newton": "off"}, {"dim": 2}, {"density": 5}, {"keywords": "squeeze no", **ALL},
+         {"keywords": "shear no roll no twist no"}, {"flow": "deform/rheometer rate 1 pressure 20"})
+for case in CASES:
+    dim = case.get("dim", 3)
+    deck.make_state(dim=dim, phi=0.5 if dim == 3 else 0.75, density=case.get("density", 0.05))
+    defect, share, heat = balance(5e-4, **case)
+    print("    heat: " + ", ".join(f"{name} {part:.3g}" for name, part in zip(ORIGINS, share)))
+    deck.expect("    no origin makes energy", np.all(np.sum(heat, axis=0) >= 0))
+    fine, _, _ = balance(1.25e-4, fraction=0.25, steps=4000, **case)
+    deck.expect("    the balance closes, to second order or nearly", fine < min(0.3 * defect, 1e-4), f"{defect:.1e} {fine:.1e}")
+
+# forces that end abruptly take the energy of their springs with them
+deck.make_state()
+defect, share, _ = balance(5e-4, range="cut 0.5", **ALL)
+print("    heat: " + ", ".join(f"{name} {part:.3g}" for name, part in zip(ORIGINS, share)))
+deck.expect("    the balance but for pairs that leave the range", defect < 1e-3, f"{defect:.1e}")
+deck.expect("    adhesive contacts break", share[0] > 1e-5)
+deck.finish()
