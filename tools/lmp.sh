@@ -11,4 +11,5 @@ if [ "${1:-}" = -n ]; then
   shift 2
 fi
 if [ ! -x "$lammps_executable" ] || [ ! -f "$build/suspensionplugin.so" ]; then die "run tools/setup.sh first"; fi
+export LAMMPS_POTENTIALS=$top/potentials${LAMMPS_POTENTIALS:+:$LAMMPS_POTENTIALS}
 exec "$top/tools/mpirun.sh" "$ranks" "$lammps_executable" "$@"

@@ -143,6 +143,7 @@ class PairLubcontact : public Pair {
                    const lubcontact::Load &);
 
   void allocate();
+  void materials(int, char **);
   void find_max_radius();
   void check_radii() const;
   void check_variable();

@@ -153,13 +153,14 @@ FrictionLaw PairLubcontact::friction_law(int iarg, int narg, char **arg) const
 }
 
 /* ----------------------------------------------------------------------
-   pair_coeff I J g kt keyword value ...
+   pair_coeff I J g kt keyword value ..., or pair_coeff * * FILE NAME1 NAME2 ...
 ------------------------------------------------------------------------- */
 
 void PairLubcontact::coeff(int narg, char **arg)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "pair_coeff", error);
   if (!allocated) allocate();
+  if (!utils::is_double(arg[2])) return materials(narg, arg);
 
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
