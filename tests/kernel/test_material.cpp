@@ -54,6 +54,14 @@ TEST(Material, HertzIsAsStiffAsModulusTimesRadiusOnlyAtAbsurdOverlap)
   EXPECT_NEAR(springs(GLASS, GLASS, 7e6 * overlap).g, 7e6, 1e-2);
 }
 
+TEST(Material, HertzUnderPressureIsThatOfTheManual)
+{
+  // F = 4 a^2 P: g/(E a) = (8/9 P/E/(1 - nu^2)^2)^(1/3)
+  const double P = 7e4, a = GLASS.radius;
+  EXPECT_NEAR(springs(GLASS, GLASS, 4.0 * a * a * P).g / 7e6,
+              std::cbrt(8.0 / 9.0 * 1e-6 / (0.9375 * 0.9375)), 1e-12);
+}
+
 TEST(Material, UnitsOfForcePressureAndDensity)
 {
   const UnitScale micro{1e-15, 1e-6, 1e-6}, cgs{1e-3, 1e-2, 1.0};

@@ -174,5 +174,11 @@ start = shown[made + 1].index("^")
 deck.expect("made command is shown", "pair_coeff 1 1 700000" in shown[made], shown[made])
 deck.expect("  its word is underlined", shown[made][start:shown[made + 1].rindex("^") + 1].startswith("0.0"))
 # under hybrid the words stand one place later
-deck.expect_error("hybrid", deck.run("in.hybrid", fails=True, name="Gras").text, "no material Gras in test.lubcontact")
+write_hybrid = (deck.CASE / "in.hybrid").read_text().replace("${name}", "Gras")
+Path("in.now").write_text(write_hybrid)
+shown = deck.run(str(Path.cwd() / "in.now"), fails=True).text
+deck.expect_error("hybrid", shown, "no material Gras in test.lubcontact", None)
+lines = shown.splitlines()
+carets = next(n for n, line in enumerate(lines) if line.strip(" ^") == "" and "^" in line)
+deck.expect("  underlined: Gras", lines[carets - 1][lines[carets].index("^"):][:4] == "Gras", lines[carets - 1])
 deck.finish()
