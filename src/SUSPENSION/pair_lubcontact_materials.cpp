@@ -405,7 +405,7 @@ void PairLubcontact::materials(int narg, char **arg)
       coeff(input->narg, input->arg);
     }
   text +=
-      fmt::format("  stiffness      {}: hard enough if another one gives the same results\n",
+      fmt::format("  stiffness      {}; hard spheres need P a/(g roughness) << 1 at pressure P\n",
                   options.load > 0.0 ? fmt::format("Hertz' secant at force {:.6g}", options.load)
                                      : "modulus times effective radius");
   if (comm->me == 0) utils::logmesg(lmp, text);

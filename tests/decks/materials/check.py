@@ -108,6 +108,18 @@ deck.run("in.materials", coeff="* * common.lubcontact CornStarch NULL CornStarch
 if not ONE_RANK:
     deck.finish()
 
+# each number that comes with the package says how it came there
+for name in deck.ROOT.glob("potentials/*.lubcontact"):
+    covered = False
+    for number, line in enumerate(name.read_text().splitlines(), 1):
+        words, _, comment = line.partition("#")
+        if words.startswith("material"):
+            covered = False
+        elif words.strip():
+            covered = covered or "[text] all of it" in comment
+            if not covered and not re.search(r"\[(text|memory|assumed)\]", comment):
+                deck.expect(f"{name.name}, line {number}: source", False, line)
+
 # refusals
 TEMPLATE = (deck.CASE / "in.materials").read_text()
 
