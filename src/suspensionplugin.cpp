@@ -10,6 +10,7 @@
 
 // Entry point of the plugin: LAMMPS calls lammpsplugin_init() when it loads suspensionplugin.so.
 
+#include "compute_microstructure.h"
 #include "compute_power_partition.h"
 #include "compute_stress_partition.h"
 #include "compute_stress_partition_atom.h"
@@ -81,6 +82,7 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   };
 
   pair("lubcontact", &create<Pair, PairLubcontact>);
+  with_args("compute", "microstructure", &create_with_args<Compute, ComputeMicrostructure>);
   with_args("compute", "power/partition", &create_with_args<Compute, ComputePowerPartition>);
   with_args("compute", "stress/partition", &create_with_args<Compute, ComputeStressPartition>);
   with_args("compute", "stress/partition/atom",

@@ -19,6 +19,7 @@ PairStyle(lubcontact,PairLubcontact);
 #include "pair.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +64,11 @@ class PairLubcontact : public Pair {
   static constexpr int NUM_ORIGINS = 7;             // lubcontact::PowerOrigin
   double heat[NUM_ORIGINS], stored[NUM_ORIGINS];    // this rank's share
   bigint power_step;                                // step they belong to
+
+  // pairs in range with their present load: i, j, weight, geometry, load
+  using Visitor = std::function<void(int, int, double, const lubcontact::PairGeometry &,
+                                     const lubcontact::Load &)>;
+  void visit_pairs(const Visitor &) const;
 
   // stress by origin, in the steps that a compute stress/partition asked for
   static constexpr int NUM_PARTS = 5;             // lubcontact::Channel

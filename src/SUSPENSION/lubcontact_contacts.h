@@ -1,0 +1,157 @@
+// What the statistics of pairs need to know of one pair, and averages over all pairs: coordination
+// numbers, shares of frictional and sliding contacts, mean forces and gaps.
+//   Z = 2 contacts/N, chi_f = frictional contacts/contacts: J. Dong, thesis, sec. 4
+//   Z of the particles that can carry a force: C. Thornton, Geotechnique 50, 43 (2000)
+
+#ifndef LUBCONTACT_CONTACTS_H
+#define LUBCONTACT_CONTACTS_H
+
+#include "lubcontact_channels.h"
+#include "lubcontact_pair.h"
+
+#include <array>
+#include <limits>
+
+namespace lubcontact {
+
+struct PairView {
+  bool contact;       // the asperities touch
+  bool frictional;    // and can hold a tangential force at this load
+  bool sliding;       // and hold all they can
+  double normal;      // repulsion of the asperities, force
+  double friction;    // size of the friction force
+  double cone;        // largest friction force
+  double u;           // gap of the deformed surfaces, length
+  double un;          // gap of the undeformed surfaces, length
+  Vec3 n;             // unit vector from j to i
+};
+
+inline PairView view(const PairGeometry &g, const Load &load)
+{
+  const ShearSplit parts = split(load);
+  const bool contact = parts.state != ContactState::NONE;
+  const bool frictional = contact && load.cone > 0.0;
+  const bool sliding = frictional && parts.state == ContactState::SLIP;
+  const double friction = frictional ? parts.contact * norm(load.shear) : 0.0;
+  return {contact,  frictional,
+          sliding,  contact ? load.contact : 0.0,
+          friction, frictional ? load.cone : 0.0,
+          load.u,   g.un,
+          g.n};
+}
+
+// Forces on i by origin.
+inline std::array<Vec3, NUM_CHANNELS> force_by_channel(const PairGeometry &g, const Load &load)
+{
+  static_assert(NUM_CHANNELS == 4, "each channel needs its force here");
+  const ShearSplit parts = split(load);
+  std::array<Vec3, NUM_CHANNELS> force;
+  force[CONTACT_NORMAL] = load.contact * g.n;
+  force[LUBRICATION_NORMAL] = load.film * g.n;
+  force[CONTACT_TANGENTIAL] = parts.contact * load.shear;
+  force[LUBRICATION_TANGENTIAL] = (1.0 - parts.contact) * load.shear;
+  return force;
+}
+
+// Sums over pairs, which add up over processors, and extremes, of which the largest counts. A pair
+// that is seen twice comes with weight 1/2.
+struct PairSums {
+  enum Sum {
+    PAIRS,
+    CONTACTS,
+    FRICTIONAL,
+    SLIDING,
+    NORMAL,
+    FRICTION,
+    MOBILIZED,
+    FILM_GAP,
+    NUM_SUMS
+  };
+  enum Extreme { LARGEST_NORMAL, CLOSEST, DEFLECTION, OVERLAP, NUM_EXTREMES };
+  static constexpr double NOTHING = -std::numeric_limits<double>::max();
+
+  double sum[NUM_SUMS] = {};
+  double extreme[NUM_EXTREMES] = {NOTHING, NOTHING, NOTHING, NOTHING};    // CLOSEST: -u
+
+  void add(double weight, const PairView &p)
+  {
+    sum[PAIRS] += weight;
+    if (!p.contact) sum[FILM_GAP] += weight * p.u;
+    if (p.contact) {
+      sum[CONTACTS] += weight;
+      sum[NORMAL] += weight * p.normal;
+      extreme[LARGEST_NORMAL] = larger(extreme[LARGEST_NORMAL], p.normal);
+    }
+    if (p.frictional) {
+      sum[FRICTIONAL] += weight;
+      sum[FRICTION] += weight * p.friction;
+      sum[MOBILIZED] += weight * p.friction / p.cone;
+      if (p.sliding) sum[SLIDING] += weight;
+    }
+    extreme[CLOSEST] = larger(extreme[CLOSEST], -p.u);
+    extreme[DEFLECTION] = larger(extreme[DEFLECTION], p.u - p.un);
+    extreme[OVERLAP] = larger(extreme[OVERLAP], -p.un);
+  }
+};
+
+inline double ratio(double a, double b)
+{
+  return b > 0.0 ? a / b : 0.0;
+}
+
+// The columns of mode contacts, in this order.
+struct Averages {
+  enum {
+    Z,
+    Z_CARRYING,
+    RATTLERS,
+    Z_FRICTIONAL,
+    CHI_F,
+    SLIDING,
+    FILMS,
+    FILM_GAP,
+    SMALLEST_GAP,
+    NORMAL,
+    LARGEST_NORMAL,
+    FRICTION,
+    MOBILIZED,
+    DEFLECTION,
+    OVERLAP,
+    SIZE
+  };
+  double value[SIZE] = {};
+};
+
+// Of N particles; `rattlers` of them have no or one contact, `single` have one.
+inline Averages averages(const PairSums &s, double particles, double rattlers, double single)
+{
+  using S = PairSums;
+  auto sum = [&s](S::Sum m) {
+    return s.sum[m];
+  };
+  auto extreme = [&s](S::Extreme m) {
+    return s.extreme[m] == S::NOTHING ? 0.0 : s.extreme[m];
+  };
+  Averages a;
+  a.value[a.Z] = ratio(2.0 * sum(S::CONTACTS), particles);
+  a.value[a.Z_CARRYING] = ratio(2.0 * sum(S::CONTACTS) - single, particles - rattlers);
+  a.value[a.RATTLERS] = ratio(rattlers, particles);
+  a.value[a.Z_FRICTIONAL] = ratio(2.0 * sum(S::FRICTIONAL), particles);
+  a.value[a.CHI_F] = ratio(sum(S::FRICTIONAL), sum(S::CONTACTS));
+  a.value[a.SLIDING] = ratio(sum(S::SLIDING), sum(S::FRICTIONAL));
+  const double films = sum(S::PAIRS) - sum(S::CONTACTS);
+  a.value[a.FILMS] = ratio(2.0 * films, particles);
+  a.value[a.FILM_GAP] = ratio(sum(S::FILM_GAP), films);
+  a.value[a.SMALLEST_GAP] = -extreme(S::CLOSEST);
+  a.value[a.NORMAL] = ratio(sum(S::NORMAL), sum(S::CONTACTS));
+  a.value[a.LARGEST_NORMAL] = extreme(S::LARGEST_NORMAL);
+  a.value[a.FRICTION] = ratio(sum(S::FRICTION), sum(S::FRICTIONAL));
+  a.value[a.MOBILIZED] = ratio(sum(S::MOBILIZED), sum(S::FRICTIONAL));
+  a.value[a.DEFLECTION] = larger(0.0, extreme(S::DEFLECTION));
+  a.value[a.OVERLAP] = larger(0.0, extreme(S::OVERLAP));
+  return a;
+}
+
+}    // namespace lubcontact
+
+#endif

@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "pair_lubcontact.h"
+
+#include "atom.h"
+#include "fix_neigh_history.h"
+#include "force.h"
+#include "lubcontact_pair.h"
+#include "neigh_list.h"
+
+using namespace LAMMPS_NS;
+using lubcontact::Film;
+using lubcontact::Load;
+using lubcontact::PairCoeffs;
+using lubcontact::PairGeometry;
+using lubcontact::Vec3;
+
+// pair_load() of each combination of effects
+
+using PresentLoad = Load (*)(const PairCoeffs &, const Film &, const PairGeometry &,
+                             const double *);
+
+template <std::size_t... MASK>
+static PresentLoad present_load(unsigned mask, std::index_sequence<MASK...>)
+{
+  static constexpr PresentLoad loads[] = {&lubcontact::pair_load<lubcontact::Effects<MASK>>...};
+  return loads[mask];
+}
+
+/* ----------------------------------------------------------------------
+   calls visit(i, j, weight, geometry, load) for each pair in range with the forces of this step,
+   and changes nothing; a pair that two processors or images see has weight 1/2 each time
+------------------------------------------------------------------------- */
+
+void PairLubcontact::visit_pairs(const Visitor &visit) const
+{
+  const PresentLoad load =
+      present_load(mask, std::make_index_sequence<lubcontact::NUM_COMBINATIONS>());
+  const double *const *x = atom->x;
+  const double *radius = atom->radius;
+  auto vector = [](const double *a) {
+    return Vec3{a[0], a[1], a[2]};
+  };
+
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    const int *jlist = list->firstneigh[i];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = jlist[jj] & NEIGHMASK;
+      if (force->special_lj[sbmask(jlist[jj])] == 0.0) continue;
+      // the loop of the forces has marked the pairs in range
+      if (size_history && !fix_history->firstflag[i][jj]) continue;
+
+      const double a = effective_radius(radius[i], radius[j]);
+      const PairGeometry geometry =
+          lubcontact::pair_geometry(vector(x[i]), vector(x[j]), radius[i], radius[j], a);
+      const int itype = atom->type[i], jtype = atom->type[j];
+      if (!size_history && geometry.un >= reach[itype][jtype] * a) continue;
+
+      const double *history = size_history ? fix_history->firstvalue[i] + size_history * jj
+                                           : nullptr;
+      const double weight = force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
+      visit(i, j, weight, geometry, load(coeffs[itype][jtype], *film, geometry, history));
+    }
+  }
+}
