@@ -278,7 +278,8 @@ void ComputeMicrostructure::unpack_reverse_comm(int n, int *list, double *buf)
 
 double ComputeMicrostructure::memory_usage()
 {
-  return sizeof(double) *
-      (per_atom.capacity() + static_cast<double>(size_vector) +
-       static_cast<double>(size_array_rows) * size_array_cols);
+  auto doubles = static_cast<double>(per_atom.capacity());
+  if (vector_flag) doubles += size_vector;
+  if (array_flag) doubles += static_cast<double>(size_array_rows) * size_array_cols;
+  return sizeof(double) * doubles;
 }
