@@ -17,9 +17,11 @@ from rheology import steady
 
 COLUMNS = ("pairs", "contacts", "frictional", "gap", "force", "friction", "vn", "vt", "contact_n", "contact_t",
            "film_n", "film_t")    # after the angles
+VELOCITY = 2.0    # 2 a rate: mean radius 1, rate 1
 STRESSES = COLUMNS[-4:]
 NUMBERS = {1: "Z", 2: "Z of carriers", 3: "rattlers", 5: "chi_f", 6: "sliding", 7: "films per particle",
            8: "gap of films", 9: "smallest gap", 10: "<f>", 11: "largest f", 12: "<f_t>", 13: "mobilized friction"}
+BAND = 2 * 0.3    # of the cut: what a density per radian has to be divided by to be one per steradian
 BLUE, RED, DARK, LIGHT = "#1f4e79", "#c00000", "#b45f06", "#f6b26b"
 
 
@@ -55,7 +57,7 @@ def zeros(angle, values):
     return np.sort((angle[at] + width * values[at] / (values[at] - following[at])) % np.pi)
 
 
-def report_numbers(data, start, scale):
+def report_numbers(data, start):
     kept = data["v_gamma"] >= start
     print(f"averages from strain {start:g} to {data['v_gamma'][-1]:.1f}; forces over viscosity*rate*radius^2")
     for m, name in NUMBERS.items():
@@ -66,19 +68,19 @@ def report_numbers(data, start, scale):
         print(f"  {name:20s} {mean:9.4f} +- {error:.2g}")
 
 
-def report_directions(angle, circle, cut, parts, scale):
+def report_directions(angle, circle, cut, parts):
     print("in the shear plane, angles from the flow towards its gradient in degrees")
     print(f"  contacts in the quadrants of compression: {share_in_compression(angle, circle['contacts']):.3f}")
-    p = cut["contacts"]
-    print(f"  density of contacts in the cut: largest {p.max():.3f} at {degrees(angle[np.argmax(p)])}, "
+    p = cut["contacts"] / BAND
+    print(f"  contacts per particle and steradian in the cut: largest {p.max():.3f} at {degrees(angle[np.argmax(p)])}, "
           f"mean {p.mean():.3f}, in the middle of extension {p[np.abs(angle - np.pi / 4) < 0.3].mean():.4f}")
     gap = per_pair(cut, "gap")
     print(f"  mean gap: largest {gap.max():.4f} at {degrees(angle[np.argmax(gap)])}, smallest {gap.min():.4f} at "
           f"{degrees(angle[np.argmin(gap)])}")
-    vn = per_pair(cut, "vn") / scale
+    vn = per_pair(cut, "vn") / VELOCITY
     print(f"  normal velocity/(2 a rate): {vn.max():.3f} at {degrees(angle[np.argmax(vn)])}, {vn.min():.3f} at "
           f"{degrees(angle[np.argmin(vn)])}, changes sign at {', '.join(degrees(a) for a in zeros(angle, vn))}")
-    vt = per_pair(cut, "vt") / scale
+    vt = per_pair(cut, "vt") / VELOCITY
     print(f"  tangential velocity/(2 a rate): largest {vt.max():.3f} at {degrees(angle[np.argmax(vt)])}, smallest "
           f"{vt.min():.3f} at {degrees(angle[np.argmin(vt)])}")
     for name, whole in zip(STRESSES, parts):
@@ -99,28 +101,29 @@ def polar(ax, angle, values, color=BLUE, negative=RED, **options):
         ax.plot(around, np.where(ring < 0, -ring, np.nan), color=negative, **options)
 
 
-def draw_polar(angle, cut, cutxy, pressure, scale):
+def draw_polar(angle, cut, cutxy, pressure):
     fig, axes = plt.subplots(2, 3, figsize=(11, 7.6), subplot_kw={"projection": "polar"})
     ax = axes[0, 0]
-    polar(ax, angle, cut["contacts"] / 0.6, lw=2)
+    polar(ax, angle, cut["contacts"] / BAND, lw=2)
     ax.set_title("contacts per particle and steradian")
     ax = axes[0, 1]
     polar(ax, angle, per_pair(cut, "gap"), lw=2)
     ax.set_title("mean gap / a")
     ax = axes[0, 2]
-    polar(ax, angle, per_pair(cut, "vt") / scale, color=LIGHT, lw=1.5, label="tangential")
-    polar(ax, angle, per_pair(cut, "vn") / scale, lw=2, label="normal (red: approach)")
+    polar(ax, angle, per_pair(cut, "vt") / VELOCITY, color=LIGHT, lw=1.5, label="tangential")
+    polar(ax, angle, per_pair(cut, "vn") / VELOCITY, lw=2, label="normal (red: approach)")
     ax.set_title(r"relative velocity / ($2a\dot\gamma$)")
     for ax, origin, name in ((axes[1, 0], "contact", "contact"), (axes[1, 1], "film", "lubrication")):
-        n, t = (cut[f"{origin}_{m}"] / pressure for m in "nt")
+        n, t = (cut[f"{origin}_{m}"] / (BAND * pressure) for m in "nt")
         polar(ax, angle, n, lw=1, label="normal")
         polar(ax, angle, t, color=DARK, negative="#ff7f0e", lw=1, label="tangential")
         polar(ax, angle, n + t, color="k", lw=2, label="both")
-        ax.set_title(rf"{name} part of $\sigma_{{yx}}/|\sigma_{{yy}}|$ (red: negative)")
+        ax.set_title(rf"{name} part of $\sigma_{{yx}}/|\sigma_{{yy}}|$ per steradian (red: negative)")
     ax = axes[1, 2]
-    for part, color, negative, label in (("contact_t", BLUE, RED, "contact"), ("film_t", DARK, "#ff7f0e", "lubrication")):
-        polar(ax, angle, cutxy[part] / pressure, color=color, negative=negative, lw=2, label=label)
-    ax.set_title(r"tangential parts of $\sigma_{xy}/|\sigma_{yy}|$")
+    for part, color, negative, label in (("contact_t", BLUE, RED, "contact"),
+                                         ("film_t", DARK, "#ff7f0e", "lubrication")):
+        polar(ax, angle, cutxy[part] / (BAND * pressure), color=color, negative=negative, lw=2, label=label)
+    ax.set_title(r"tangential parts of $\sigma_{xy}/|\sigma_{yy}|$ per steradian")
     for ax in axes.flat:
         ax.tick_params(labelsize=7)
         ax.title.set_fontsize(9)
@@ -169,7 +172,7 @@ def draw_map(ax, angles, values, title, center=False):
 def main():
     words = Path("scene.txt").read_text(encoding="ascii").split()
     scene = dict(zip(words[::2], map(float, words[1::2])))
-    start, scale = scene["transient"], 2.0    # mean radius 1, rate 1
+    start = scene["transient"]
     data = steady.read_ave_time("contacts.txt")
     kept = {name: column[column.shape[0] - np.sum(data["v_gamma"] > start):]
             for name, column in steady.read_ave_time("stress.txt").items()}
@@ -178,10 +181,10 @@ def main():
     angle, circle = read_table("circle.txt", 1)
     cut = read_table("cut.txt", 1)[1]
     angle = angle[:, 0]
-    report_numbers(data, start, scale)
-    report_directions(angle, circle, cut, np.loadtxt("yx.txt", skiprows=4)[:4, 1], scale)
+    report_numbers(data, start)
+    report_directions(angle, circle, cut, np.loadtxt("yx.txt", skiprows=4)[:4, 1])
 
-    draw_polar(angle, cut, read_table("cutxy.txt", 1)[1], pressure, scale)
+    draw_polar(angle, cut, read_table("cutxy.txt", 1)[1], pressure)
     fig, axes = plt.subplots(2, 2, figsize=(10.5, 7.4))
     draw_forces(axes[0, 0], np.loadtxt("forces.txt", skiprows=4)[:, 1:].T)
     draw_fabric(axes[0, 1], data, start)

@@ -10,8 +10,8 @@ angle, contacts, vn = data[:, 0], data[:, 2], data[:, 7]
 compression = angle > np.pi / 2
 deck.expect("most contacts are in compression", contacts[compression].sum() > 0.6 * contacts.sum(),
             f"{contacts[compression].sum() / contacts.sum():.3f}")
-deck.expect("pairs approach in compression and part in extension",
-            vn[compression].sum() < 0 < vn[~compression].sum(), f"{vn[compression].sum():.3f} {vn[~compression].sum():.3f}")
+approach, part = vn[compression].sum(), vn[~compression].sum()
+deck.expect("pairs approach in compression and part in extension", approach < 0 < part, f"{approach:.3f} {part:.3f}")
 sums = data[:, -4:].sum(axis=0) * 2 * np.pi / len(angle)
 deck.expect_close("stresses add up", sums, np.loadtxt("yx.txt", skiprows=4)[:4, 1], rtol=1e-7)
 z = np.loadtxt("contacts.txt")[-1, 2]
