@@ -49,9 +49,9 @@ TEST(Histogram, OfNothingIsZero)
 
 TEST(Histogram, TakesValuesNextToItsEndsAndNoNumbers)
 {
-  Histogram h(0.0, 0.3, 3);
-  h.add(1.0, std::nextafter(0.3, 0.0));
-  EXPECT_EQ(h.weight[2], 1.0);
+  Histogram h(0.0, 1.5, 9);    // here (x - lo)/width is rounded up to 9
+  h.add(1.0, std::nextafter(1.5, 0.0));
+  EXPECT_EQ(h.weight[8], 1.0);
   h.add(1.0, std::nan(""));
   EXPECT_EQ(h.above(), 1.0);
 }

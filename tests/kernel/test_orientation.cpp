@@ -41,6 +41,10 @@ TEST(Orientation, TheFirstAxisAndThePolesHaveARow)
   const DirectionBins bins = {Plane::XY, 4, 6, 1.0};
   EXPECT_EQ(bins.find({1.0, 0.0, 0.0}), bins.find({-1.0, -0.0, 0.0}));
   EXPECT_EQ(direction(Plane::XY, {-1.0, -1e-300, 0.5}).azimuth, 0.0);
+  for (const double y : {0.0, -0.0, -1e-300}) {
+    EXPECT_EQ(direction(Plane::XY, {-0.8, y, 0.6}).azimuth, 0.0);
+    EXPECT_EQ(direction(Plane::XY, {-0.8, y, 0.6}).height, -0.6);
+  }
   for (const Vec3 &n : {Vec3{0.0, 0.0, 1.0}, Vec3{0.0, 0.0, -1.0}, Vec3{-1.0, 1e-300, 0.0}}) {
     EXPECT_GE(bins.find(n), 0);
     EXPECT_LT(bins.find(n), bins.size());
