@@ -6,10 +6,8 @@
 #ifndef LUBCONTACT_CONTACTS_H
 #define LUBCONTACT_CONTACTS_H
 
-#include "lubcontact_channels.h"
 #include "lubcontact_pair.h"
 
-#include <array>
 #include <limits>
 
 namespace lubcontact {
@@ -38,19 +36,6 @@ inline PairView view(const PairGeometry &g, const Load &load)
           friction, frictional ? load.cone : 0.0,
           load.u,   g.un,
           g.n};
-}
-
-// Forces on i by origin.
-inline std::array<Vec3, NUM_CHANNELS> force_by_channel(const PairGeometry &g, const Load &load)
-{
-  static_assert(NUM_CHANNELS == 4, "each channel needs its force here");
-  const ShearSplit parts = split(load);
-  std::array<Vec3, NUM_CHANNELS> force;
-  force[CONTACT_NORMAL] = load.contact * g.n;
-  force[LUBRICATION_NORMAL] = load.film * g.n;
-  force[CONTACT_TANGENTIAL] = parts.contact * load.shear;
-  force[LUBRICATION_TANGENTIAL] = (1.0 - parts.contact) * load.shear;
-  return force;
 }
 
 // Sums over pairs, which add up over processors, and extremes, of which the largest counts. A pair

@@ -5,6 +5,7 @@
 #ifndef LUBCONTACT_PAIR_H
 #define LUBCONTACT_PAIR_H
 
+#include "lubcontact_channels.h"
 #include "lubcontact_effects.h"
 #include "lubcontact_friction.h"
 #include "lubcontact_geometry.h"
@@ -12,6 +13,8 @@
 #include "lubcontact_roll.h"
 #include "lubcontact_shear.h"
 #include "lubcontact_twist.h"
+
+#include <array>
 
 namespace lubcontact {
 
@@ -231,6 +234,20 @@ inline Vec3 torque_on_j(const Load &load, const PairGeometry &g)
 inline ShearSplit split(const Load &load)
 {
   return shear_split(load.shear, load.cone, load.touch);
+}
+
+// Forces on i by origin.
+inline std::array<Vec3, NUM_CHANNELS> force_by_channel(const PairGeometry &g, const Load &load)
+{
+  static_assert(NUM_CHANNELS == 5, "each channel needs its force here");
+  const ShearSplit parts = split(load);
+  std::array<Vec3, NUM_CHANNELS> force;
+  force[CONTACT_NORMAL] = load.contact * g.n;
+  force[LUBRICATION_NORMAL] = load.film * g.n;
+  force[CONTACT_TANGENTIAL] = parts.contact * load.shear;
+  force[LUBRICATION_TANGENTIAL] = (1.0 - parts.contact) * load.shear;
+  force[SCREENED_REPULSION] = load.repulsion * g.n;
+  return force;
 }
 
 // Energy stored in the springs.

@@ -47,18 +47,10 @@ void PairLubcontact::add_virial(Queue &queue) const
 
 void PairLubcontact::tally_partition(int i, int j, const PairGeometry &geometry, const Load &load)
 {
-  using namespace lubcontact;
-  const ShearSplit parts = split(load);
-  Vec3 force_of[NUM_CHANNELS];
-  force_of[CONTACT_NORMAL] = load.contact * geometry.n;
-  force_of[LUBRICATION_NORMAL] = load.film * geometry.n;
-  force_of[CONTACT_TANGENTIAL] = parts.contact * load.shear;
-  force_of[LUBRICATION_TANGENTIAL] = (1.0 - parts.contact) * load.shear;
-  force_of[SCREENED_REPULSION] = load.repulsion * geometry.n;
-
+  const auto force_of = lubcontact::force_by_channel(geometry, load);
   const double weight = share(j);
   const Vec3 d = geometry.r * geometry.n;
-  for (int m = 0; m < NUM_CHANNELS; m++) {
+  for (int m = 0; m < NUM_PARTS; m++) {
     const Vec3 &f = force_of[m];
     const double product[NUM_COMPONENTS] = {d.x * f.x, d.y * f.y, d.z * f.z, d.x * f.y, d.x * f.z,
                                             d.y * f.z, d.y * f.x, d.z * f.x, d.z * f.y};

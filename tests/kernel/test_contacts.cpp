@@ -19,6 +19,8 @@ Load load(double contact, double film, double shear, double u, double cone)
   Load l{};
   l.contact = contact;
   l.film = film;
+  l.normal = contact + film;
+  l.touch = contact > 0.0;
   l.shear = {0.0, shear, 0.0};
   l.u = u;
   l.cone = cone;
