@@ -17,6 +17,7 @@
 #include "fix_deform_rheometer.h"
 #include "fix_drag_background.h"
 #include "fix_neigh_history_lubcontact.h"
+#include "fix_overdamped_sphere.h"
 #include "fix_rheometer_plates.h"
 #include "pair_lubcontact.h"
 
@@ -90,5 +91,6 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   with_args("fix", "NEIGH_HISTORY/LUBCONTACT", &create_with_args<Fix, FixNeighHistoryLubcontact>);
   with_args("fix", "deform/rheometer", &create_with_args<Fix, FixDeformRheometer>);
   with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
+  with_args("fix", "overdamped/sphere", &create_with_args<Fix, FixOverdampedSphere>);
   with_args("fix", "rheometer/plates", &create_with_args<Fix, FixRheometerPlates>);
 }

@@ -12,6 +12,7 @@
 #include "fix_deform_rheometer.h"
 
 #include "atom.h"
+#include "background_fluid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -59,11 +60,12 @@ void FixDeformRheometer::find_viscosity()
 void FixDeformRheometer::measure_particles()
 {
   double mine[4] = {}, all[4];    // volume, mass, radii, number
+  const int massless = overdamped_groups(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double r = atom->radius[i];
     mine[0] += domain->dimension == 3 ? 4.0 / 3.0 * MY_PI * r * r * r : MY_PI * r * r;
-    mine[1] += atom->rmass[i];
+    if (!(atom->mask[i] & massless)) mine[1] += atom->rmass[i];
     mine[2] += r;
     mine[3] += 1.0;
   }
@@ -90,10 +92,11 @@ void FixDeformRheometer::measure_stress()
   const double lo[3] = {domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]};
   const int nlocal = atom->nlocal;
   const int *mask = atom->mask;
+  const int massless = overdamped_groups(lmp);
   const double *rmass = atom->rmass;
   double mine[4] = {}, sum[4];    // xx yy zz xy
   for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
+    if (!(mask[i] & groupbit) || (mask[i] & massless)) continue;
     const double *x = atom->x[i], *v = atom->v[i];
     const double y = x[1] - lo[1], m = rmass[i];
     const double vx = v[0] - g.xx * (x[0] - lo[0]) - g.xy * y;

@@ -10,38 +10,66 @@
 #include "fix_drag_background.h"
 
 #include "atom.h"
+#include "background_fluid.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_nve_sphere.h"
 #include "force.h"
-#include "lubcontact_drag.h"
+#include "modify.h"
 #include "update.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using lubcontact::Vec3;
 
+static constexpr double SPHERE = 0.4;    // moment of inertia over m R^2
+
+// fixes that may come later: they read forces, or set them whatever they were
+static const char *const READERS[] = {"enforce2d", "setforce", "freeze", "store/force",
+                                      "rheometer/plates"};
+
+static Vec3 vector(const double *a)
+{
+  return {a[0], a[1], a[2]};
+}
+
+static void put(const Vec3 &a, double *to)
+{
+  to[0] = a.x;
+  to[1] = a.y;
+  to[2] = a.z;
+}
+
+static void add(const Vec3 &a, double *to)
+{
+  to[0] += a.x;
+  to[1] += a.y;
+  to[2] += a.z;
+}
+
 /* ----------------------------------------------------------------------
    fix ID group drag/background eta keyword value ...
 ------------------------------------------------------------------------- */
 
 FixDragBackground::FixDragBackground(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), eta(0.0), rate(0.0)
+    Fix(lmp, narg, arg), fluid(new BackgroundFluid(lmp, this, narg, arg)), sums(), power(0.0),
+    energy(0.0)
 {
-  if (narg < 4) utils::missing_cmd_args(FLERR, "fix drag/background", error);
-  eta = utils::numeric(FLERR, arg[3], false, lmp);
-  if (!(eta >= 0.0))
-    error->all(FLERR, 3, "Fix drag/background viscosity must be >= 0, but is {}", arg[3]);
-  for (int iarg = 4; iarg < narg; iarg += 2) {
-    if (strcmp(arg[iarg], "shear") != 0)
-      error->all(FLERR, iarg, "Unknown fix drag/background keyword: {}", arg[iarg]);
-    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix drag/background shear", error);
-    rate = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-  }
   dynamic_group_allow = 1;
+  restart_global = 1;
+  scalar_flag = 1;
+  extscalar = 1;
+  vector_flag = 1;
+  size_vector = NUM_SUMS + 1;
+  extvector = 0;
+  global_freq = 1;
+  ecouple_flag = 1;
 }
+
+FixDragBackground::~FixDragBackground() = default;
 
 /* ---------------------------------------------------------------------- */
 
@@ -54,49 +82,157 @@ int FixDragBackground::setmask()
 
 void FixDragBackground::init()
 {
-  if (!atom->radius_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, "Fix drag/background needs finite-size spheres; use: atom_style sphere");
+  fluid->init();
+  check_order();
+  find_inertia();
 }
 
 /* ----------------------------------------------------------------------
-   the drag is explicit: a step beyond its relaxation time would be unstable
+   what acts together with a strong drag is damped by it: all forces must be known here
 ------------------------------------------------------------------------- */
 
-void FixDragBackground::setup(int vflag)
+void FixDragBackground::check_order() const
 {
-  double mine = HUGE_VAL, limit;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit)
-      mine = MIN(mine, atom->rmass[i] / (6.0 * lubcontact::PI * eta * atom->radius[i]));
-  MPI_Allreduce(&mine, &limit, 1, MPI_DOUBLE, MPI_MIN, world);
-  // the spin relaxes faster: J/(8 pi eta R^3) is 0.3 of it
-  limit *= 0.3 / force->ftm2v;
-  if (update->dt > limit)
-    error->all(FLERR,
-               "Time step {} exceeds {:.4g}, the shortest relaxation time under the drag of fix "
-               "drag/background: reduce it or increase the density",
-               update->dt, limit);
-  post_force(vflag);
+  bool later = false;
+  for (const auto &other : modify->get_fix_list()) {
+    if (other == this) later = true;
+    if (other == this || !later || !(modify->get_fix_mask(other) & POST_FORCE)) continue;
+    const bool reads = std::any_of(std::begin(READERS), std::end(READERS), [&](const char *name) {
+      return strcmp(other->style, name) == 0;
+    });
+    if (!reads && fluid->count(other->groupbit))
+      error->all(FLERR,
+                 "Fix {} {} adds forces after fix drag/background, which must know them all to "
+                 "integrate the drag: define fix {} after fix {}",
+                 other->id, other->style, id, other->id);
+  }
+  for (const auto &other : modify->get_fix_by_style("^overdamped"))
+    if (fluid->count(other->groupbit))
+      error->all(FLERR,
+                 "Fix drag/background acts on particles of fix {} {}, which drags them by itself",
+                 other->id, other->style);
+}
+
+/* ----------------------------------------------------------------------
+   spheres or discs? Fix nve/sphere does not tell but its children
+------------------------------------------------------------------------- */
+
+struct MomentOfInertia : FixNVESphere {
+  static double of(FixNVESphere *fix) { return fix->*&MomentOfInertia::inertia; }
+};
+
+void FixDragBackground::find_inertia()
+{
+  inertia.clear();
+  for (const auto &other : modify->get_fix_by_style("^nve/sphere")) {
+    auto *mover = dynamic_cast<FixNVESphere *>(other);
+    if (mover) inertia.emplace_back(mover->groupbit, MomentOfInertia::of(mover));
+  }
+}
+
+double FixDragBackground::spin_inertia(int i) const
+{
+  double ratio = SPHERE;
+  for (const auto &mover : inertia)
+    if (atom->mask[i] & mover.first) ratio = mover.second;
+  return ratio * atom->rmass[i] * atom->radius[i] * atom->radius[i];
 }
 
 /* ---------------------------------------------------------------------- */
 
+void FixDragBackground::setup(int /*vflag*/)
+{
+  fluid->setup();
+  drag_all(true);
+}
+
 void FixDragBackground::post_force(int /*vflag*/)
 {
-  const Vec3 vorticity{0.0, 0.0, -0.5 * rate};
+  const double before = power;
+  fluid->new_step();
+  drag_all(false);
+  energy += 0.5 * update->dt * (before + power);
+}
+
+/* ----------------------------------------------------------------------
+   velocities are those of the last half step, or of the full step in a set-up; see lubcontact_drag.h
+------------------------------------------------------------------------- */
+
+void FixDragBackground::drag_all(bool full)
+{
+  const double dt = update->dt * force->ftm2v;
+  std::fill_n(sums, NUM_SUMS, 0.0);
+  power = 0.0;
+  // damps what acts on v; returns the mean drag, and adds what it takes from the particle
+  auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &fluid_v, double *f) {
+    const double x = coefficient * dt / mass;
+    const double mean = full ? lubcontact::mean_drag_full(x) : lubcontact::mean_drag(x);
+    const Vec3 others = vector(f);
+    const Vec3 all = lubcontact::damped(mean, coefficient, others, v, fluid_v);
+    const Vec3 now = full ? v : v + (0.5 * dt / mass) * all;    // at the full step
+    put(all, f);
+    const Vec3 mine = all - others;
+    power -= dot(mine, now);
+    sums[POWER] -= dot(mine, now - fluid_v);
+    return mine;
+  };
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double *v = atom->v[i], *omega = atom->omega[i];
-    const Vec3 flow{rate * atom->x[i][1], 0.0, 0.0};
-    const Vec3 force = lubcontact::drag_force(eta, atom->radius[i], {v[0], v[1], v[2]}, flow);
-    const Vec3 torque =
-        lubcontact::drag_torque(eta, atom->radius[i], {omega[0], omega[1], omega[2]}, vorticity);
-    double *f = atom->f[i], *t = atom->torque[i];
-    f[0] += force.x;
-    f[1] += force.y;
-    f[2] += force.z;
-    t[0] += torque.x;
-    t[1] += torque.y;
-    t[2] += torque.z;
+    const lubcontact::Drag drag = fluid->drag(i);
+    if (drag.translation == 0.0) continue;
+    const lubcontact::Flow flow = fluid->flow(i);
+    add(damp(drag.translation, atom->rmass[i], vector(atom->v[i]), flow.velocity, atom->f[i]),
+        &sums[FORCE]);
+    add(damp(drag.rotation, spin_inertia(i), vector(atom->omega[i]), flow.spin, atom->torque[i]),
+        &sums[TORQUE]);
+    sums[NUMBER] += 1.0;
   }
+}
+
+/* ----------------------------------------------------------------------
+   energy that the particles have given to the fluid
+------------------------------------------------------------------------- */
+
+double FixDragBackground::compute_scalar()
+{
+  double all;
+  MPI_Allreduce(&energy, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ----------------------------------------------------------------------
+   dissipated power, force, torque, number of particles that feel the drag, hindrance
+------------------------------------------------------------------------- */
+
+double FixDragBackground::compute_vector(int n)
+{
+  if (n == NUM_SUMS) return fluid->hindrance();
+  double all;
+  MPI_Allreduce(&sums[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDragBackground::write_restart(FILE *fp)
+{
+  const double total = compute_scalar();
+  if (comm->me) return;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&total, sizeof(double), 1, fp);
+}
+
+void FixDragBackground::restart(char *buffer)
+{
+  double total;
+  memcpy(&total, buffer, sizeof(double));
+  energy = comm->me ? 0.0 : total;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixDragBackground::memory_usage()
+{
+  return fluid->memory_usage();
 }

@@ -18,19 +18,41 @@ FixStyle(drag/background,FixDragBackground);
 
 #include "fix.h"
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 namespace LAMMPS_NS {
+
+class BackgroundFluid;
 
 class FixDragBackground : public Fix {
  public:
   FixDragBackground(class LAMMPS *, int, char **);
+  ~FixDragBackground() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
   void post_force(int) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  double memory_usage() override;
 
  protected:
-  double eta;     // viscosity of the fluid
-  double rate;    // of the background shear, vx = rate*y
+  enum { POWER, FORCE, TORQUE = FORCE + 3, NUMBER = TORQUE + 3, NUM_SUMS };
+
+  std::unique_ptr<BackgroundFluid> fluid;
+  std::vector<std::pair<int, double>> inertia;    // of groups that fix nve/sphere moves, over m R^2
+  double sums[NUM_SUMS];                          // of this rank: see the manual
+  double power;                                   // from the particles to the fluid, of this rank
+  double energy;                                  // and its integral
+
+  void check_order() const;
+  void find_inertia();
+  double spin_inertia(int) const;
+  void drag_all(bool);
 };
 
 }    // namespace LAMMPS_NS

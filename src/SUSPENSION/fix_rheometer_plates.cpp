@@ -52,7 +52,7 @@ static void measured(double &kept, double now, double scale)
    the gap is between the mean surfaces of the plates, and follows their motion during a run
 ------------------------------------------------------------------------- */
 
-void FixRheometerPlates::measure_gap()
+void FixRheometerPlates::measure_surfaces(double &bottom, double &top) const
 {
   double mine[4] = {0.0, 0.0, 0.0, 0.0}, all[4];    // height and number, lower and upper
   for (int i = 0; i < atom->nlocal; i++)
@@ -63,7 +63,14 @@ void FixRheometerPlates::measure_gap()
       mine[2 * plate + 1] += 1.0;
     }
   MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
-  const double bottom = all[0] / all[1], top = all[2] / all[3];
+  bottom = all[0] / all[1];
+  top = all[2] / all[3];
+}
+
+void FixRheometerPlates::measure_gap()
+{
+  double bottom, top;
+  measure_surfaces(bottom, top);
   if (!(top > bottom))
     error->all(FLERR,
                "Fix rheometer/plates: the mean surface of the upper plate, y = {:.6g}, must be "

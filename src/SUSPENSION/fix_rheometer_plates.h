@@ -44,6 +44,8 @@ class FixRheometerPlates : public Fix {
   int modify_param(int, char **) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
+  void measure_surfaces(double &, double &) const;    // mean heights, lower and upper
+  int plate_bits() const { return bit[0] | bit[1]; }
 
  protected:
   enum Drive { RATE, VELOCITY, STRESS, OSCILLATE, IV };    // along x

@@ -1,5 +1,6 @@
-// Stokes drag of an isolated sphere towards the background flow.
-// G.G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851).
+// Drag on a particle alone in a fluid, and the motion that it gives, with inertia and without.
+// Sphere: G.G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851). Disc, per length of its axis: Stokes'
+// law over the diameter, M. Trulsson, B. Andreotti, P. Claudin, Phys. Rev. Lett. 109, 118305 (2012).
 
 #ifndef LUBCONTACT_DRAG_H
 #define LUBCONTACT_DRAG_H
@@ -7,19 +8,65 @@
 #include "lubcontact_film.h"
 #include "lubcontact_vec3.h"
 
+#include <cmath>
+
 namespace lubcontact {
 
-// Force on a sphere of radius R moving with v where the fluid would move with v_fluid.
-inline Vec3 drag_force(double viscosity, double radius, const Vec3 &v, const Vec3 &v_fluid)
+enum class Shape { SPHERE, DISC };
+
+// force = translation*(v_fluid - v), torque = rotation*(omega_fluid - omega)
+struct Drag {
+  double translation = 0.0, rotation = 0.0;
+};
+
+inline Drag drag(Shape shape, double viscosity, double radius)
 {
-  return (6.0 * PI * viscosity * radius) * (v_fluid - v);
+  if (shape == Shape::DISC) return {3.0 * PI * viscosity, 4.0 * PI * viscosity * radius * radius};
+  return {6.0 * PI * viscosity * radius, 8.0 * PI * viscosity * radius * radius * radius};
 }
 
-// Torque on it, omega_fluid = half the vorticity of the fluid.
-inline Vec3 drag_torque(double viscosity, double radius, const Vec3 &omega, const Vec3 &omega_fluid)
+// With inertia: m dv/dt = F + c (v_fluid - v). From one half step to the next, F and v_fluid being
+// those of the middle, the solution is
+//   v1 = u + (v0 - u) exp(-x),   u = v_fluid + F/c,   x = c dt/m,
+// which is what the force M (F + c (v_fluid - v0)) does in velocity Verlet, M = mean_drag(x). The
+// velocity at the full step is the mean of both, v_full - u = (v0 - u) (1 + exp(-x))/2, so that from
+// it the same force follows with M = mean_drag_full(x).
+
+// (1 - exp(-x))/x
+inline double mean_drag(double x)
 {
-  return (8.0 * PI * viscosity * radius * radius * radius) * (omega_fluid - omega);
+  return x < 1e-8 ? 1.0 - 0.5 * x : -std::expm1(-x) / x;
 }
+
+// tanh(x/2)/(x/2)
+inline double mean_drag_full(double x)
+{
+  return x < 1e-8 ? 1.0 : 2.0 * std::tanh(0.5 * x) / x;
+}
+
+// Force or torque that acts together with the drag, for one such step.
+inline Vec3 damped(double mean, double coefficient, const Vec3 &force, const Vec3 &v,
+                   const Vec3 &v_fluid)
+{
+  return mean * (force + coefficient * (v_fluid - v));
+}
+
+// Without inertia.
+inline Vec3 overdamped(double coefficient, const Vec3 &force, const Vec3 &v_fluid)
+{
+  return v_fluid + (1.0 / coefficient) * force;
+}
+
+// Largest stable step without inertia: the relative motion of two equal particles on the springs
+// of both decays by twice the rate stiffness/coefficient.
+inline double overdamped_step_limit(double stiffness, double coefficient)
+{
+  return coefficient / stiffness;
+}
+
+// What a spring kt between two surfaces weighs against a normal one: it moves the centers by
+// kt/translation and the surfaces by kt R^2/rotation, 3/4 of it for both shapes.
+static constexpr double OVERDAMPED_SLIDING = 1.75;
 
 }    // namespace lubcontact
 

@@ -70,6 +70,11 @@ class PairLubcontact : public Pair {
                                      const lubcontact::Load &)>;
   void visit_pairs(const Visitor &) const;
 
+  // of each particle, ghosts included: how many others are in range; stiffness of their contacts
+  // where drag alone resists, a tangential spring weighing as much as given
+  void count_partners(std::vector<double> &);
+  void sum_stiffness_overdamped(double, std::vector<double> &);
+
   // stress by origin, in the steps that a compute stress/partition asked for
   static constexpr int NUM_PARTS = 5;             // lubcontact::Channel
   static constexpr int NUM_COMPONENTS = 9;        // xx yy zz xy xz yz yx zx zy of sum r_a F_b
@@ -169,7 +174,7 @@ class PairLubcontact : public Pair {
   void check_repulsion(double) const;
   void write_pair(FILE *, int, int) const;
   void check_box() const;
-  double sum_stiffness();
+  double sum_stiffness(double, double);
   double time_step_limit() const;
   double shear_rate() const;
   void report(double, double);

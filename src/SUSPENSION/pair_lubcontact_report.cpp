@@ -12,6 +12,7 @@
 #include "pair_lubcontact.h"
 
 #include "atom.h"
+#include "background_fluid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -25,6 +26,10 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
+
+// what a tangential spring weighs, as if both particles had the mass of one: normal g; sliding with
+// spin kt (1 + 5/2), inertia (2/5) m R^2; rolling, kt a^2, has 5/2 kt only
+static constexpr double SLIDING = 3.5;
 
 /* ----------------------------------------------------------------------
    largest radius of each type, those that fix pour and deposit will insert included
@@ -90,12 +95,11 @@ void PairLubcontact::check_box() const
 }
 
 /* ----------------------------------------------------------------------
-   sum over the partners of each owned atom of the stiffest mode of a pair, as if both had its mass:
-   normal g; sliding with spin kt (1 + 5/2), inertia (2/5) m R^2; rolling, kt a^2, has 5/2 kt only.
-   Returns the number of pairs in range on this rank
+   sum over the partners of each owned atom of the stiffest mode of a pair, tangential springs and
+   partners themselves weighing as given. Returns the number of pairs in range on this rank
 ------------------------------------------------------------------------- */
 
-double PairLubcontact::sum_stiffness()
+double PairLubcontact::sum_stiffness(double tangential, double each)
 {
   const int nlocal = atom->nlocal;
   stiffness.assign(nlocal + atom->nghost, 0.0);
@@ -111,7 +115,7 @@ double PairLubcontact::sum_stiffness()
       const auto geometry =
           lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
       if (geometry.un >= reach[itype][jtype] * a) continue;
-      const double k = MAX(g[itype][jtype], 3.5 * kt[itype][jtype]);
+      const double k = each > 0.0 ? each : MAX(g[itype][jtype], tangential * kt[itype][jtype]);
       stiffness[i] += k;
       stiffness[j] += k;
       pairs += force->newton_pair || j < nlocal ? 1.0 : 0.5;
@@ -119,6 +123,20 @@ double PairLubcontact::sum_stiffness()
   }
   if (force->newton_pair) comm->reverse_comm(this);
   return pairs;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairLubcontact::count_partners(std::vector<double> &sum)
+{
+  sum_stiffness(0.0, 1.0);
+  sum.swap(stiffness);
+}
+
+void PairLubcontact::sum_stiffness_overdamped(double tangential, std::vector<double> &sum)
+{
+  sum_stiffness(tangential, 0.0);
+  sum.swap(stiffness);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -141,7 +159,9 @@ void PairLubcontact::unpack_reverse_comm(int n, int *list, double *buf)
 double PairLubcontact::time_step_limit() const
 {
   double mine = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++) mine = MAX(mine, 2.0 * stiffness[i] / atom->rmass[i]);
+  const int massless = overdamped_groups(lmp);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!(atom->mask[i] & massless)) mine = MAX(mine, 2.0 * stiffness[i] / atom->rmass[i]);
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return all > 0.0 ? 2.0 / sqrt(all * force->ftm2v) : HUGE_VAL;
 }
@@ -152,7 +172,7 @@ void PairLubcontact::setup()
 {
   check_box();
   update_viscosity();
-  const double mine = sum_stiffness();
+  const double mine = sum_stiffness(SLIDING, 0.0);
   double pairs;
   MPI_Allreduce(&mine, &pairs, 1, MPI_DOUBLE, MPI_SUM, world);
   const double limit = time_step_limit();

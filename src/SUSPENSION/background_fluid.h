@@ -1,0 +1,96 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_BACKGROUND_FLUID_H
+#define LMP_BACKGROUND_FLUID_H
+
+#include "lubcontact_background.h"
+#include "lubcontact_drag.h"
+#include "pointers.h"
+#include "rheometer_target.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+// The fluid of fix drag/background and fix overdamped/sphere: its viscosity, its flow, and how it
+// drags a particle.
+class BackgroundFluid : protected Pointers {
+ public:
+  BackgroundFluid(LAMMPS *, class Fix *, int narg, char **arg);    // arguments from arg[3] on
+
+  void init();
+  void setup();       // at the start of a run, once neighbor lists exist
+  void new_step();    // values of this step
+
+  lubcontact::Flow flow(int i) const;
+  lubcontact::Drag drag(int i) const;
+  lubcontact::Shape shape() const { return body; }
+  bool only_isolated() const { return isolated > 0; }
+  double hindrance() const { return factor; }
+  bigint count(int bits) const;    // particles of the fix that are in another group, too
+  double memory_usage() const;
+
+ protected:
+  enum Profile { REST, SHEAR, CELL, PLATES, COUETTE, POISEUILLE, VELOCITY };
+  enum Hindrance { CONSTANT, FRACTION, MEASURED };
+  static constexpr int NUM_NUMBERS = 4;
+
+  class Fix *fix;
+  std::string style;
+  RheometerTarget eta;
+  bool eta_of_pair;
+  Profile profile;
+  RheometerTarget number[NUM_NUMBERS];    // of the profile
+  std::string plates_id;
+  class FixRheometerPlates *plates;
+  lubcontact::Shape body;
+  Hindrance rule;
+  RheometerTarget hindered;    // factor or volume fraction
+  int isolated;                // particles with fewer partners only, 0: all
+
+  // velocity and spin given by variables
+  struct Component {
+    RheometerTarget target;
+    bool per_atom = false;
+    std::vector<double> value;
+  };
+  std::array<Component, 6> component;
+
+  // of this step
+  double viscosity, factor, solid;
+  lubcontact::Couette couette;
+  lubcontact::Poiseuille poiseuille;
+  std::vector<double> partners;
+
+  void parse(int, char **);
+  void parse_profile(Profile, char **, int &, std::string &);
+  void parse_components(char **, int, int);
+  void parse_hindrance(int, char **, int &);
+  void check_component(Component &);
+  void check_number(const RheometerTarget &, const char *);
+  void find_plates();
+  void check_cell() const;
+  void check_plates() const;
+  void measure_solid();
+  void update_profile();
+  void update_hindrance();
+  void update_components();
+  bool has_variables() const;
+};
+
+// bits of the groups that a fix overdamped/sphere moves: their particles have no inertia
+int overdamped_groups(LAMMPS *);
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,53 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(overdamped/sphere,FixOverdampedSphere);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_OVERDAMPED_SPHERE_H
+#define LMP_FIX_OVERDAMPED_SPHERE_H
+
+#include "fix.h"
+
+#include <memory>
+
+namespace LAMMPS_NS {
+
+class BackgroundFluid;
+
+class FixOverdampedSphere : public Fix {
+ public:
+  FixOverdampedSphere(class LAMMPS *, int, char **);
+  ~FixOverdampedSphere() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void reset_dt() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+
+ protected:
+  enum { POWER, FORCE, TORQUE = FORCE + 3, NUMBER = TORQUE + 3, NUM_SUMS };
+
+  std::unique_ptr<BackgroundFluid> fluid;
+  double sums[NUM_SUMS];    // of this rank: see the manual
+  double limit;             // of the time step, by the contacts at the start of the run
+
+  void check_others() const;
+  void find_limit();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
