@@ -31,6 +31,8 @@ using MathConst::MY_PI;
 // what fix rheometer/plates calls f_ID[3] and f_ID[4]
 static constexpr int GAP_OF_PLATES = 2, VELOCITY_OF_PLATES = 3;
 
+static constexpr double ROUNDING = 1e-12;    // of a sum over particles
+
 /* ---------------------------------------------------------------------- */
 
 void BackgroundFluid::init()
@@ -152,16 +154,19 @@ void BackgroundFluid::setup()
   new_step();
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   another order of the particles rounds the sum differently: a continued run keeps that of before
+------------------------------------------------------------------------- */
 
 void BackgroundFluid::measure_solid()
 {
-  double mine = 0.0;
+  double mine = 0.0, all;
   for (int i = 0; i < atom->nlocal; i++) {
     const double r = atom->radius[i];
     mine += MY_PI * r * r * (domain->dimension == 2 ? 1.0 : 4.0 / 3.0 * r);
   }
-  MPI_Allreduce(&mine, &solid, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (fabs(all - solid) > ROUNDING * all) solid = all;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -37,6 +37,7 @@ class BackgroundFluid : protected Pointers {
   lubcontact::Shape shape() const { return body; }
   bool only_isolated() const { return isolated > 0; }
   double hindrance() const { return factor; }
+  double solid;                    // volume of all particles, for restart files
   bigint count(int bits) const;    // particles of the fix that are in another group, too
   double memory_usage() const;
 
@@ -67,7 +68,7 @@ class BackgroundFluid : protected Pointers {
   std::array<Component, 6> component;
 
   // of this step
-  double viscosity, factor, solid;
+  double viscosity, factor;
   lubcontact::Couette couette;
   lubcontact::Poiseuille poiseuille;
   std::vector<double> partners;

@@ -31,9 +31,9 @@ static const std::map<std::string, int> KEYWORDS = {
 /* ---------------------------------------------------------------------- */
 
 BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, int narg, char **arg) :
-    Pointers(lmp), fix(owner), style(owner->style), eta_of_pair(false), profile(REST),
+    Pointers(lmp), solid(0.0), fix(owner), style(owner->style), eta_of_pair(false), profile(REST),
     plates(nullptr), body(lubcontact::Shape::SPHERE), rule(CONSTANT), isolated(0), viscosity(0.0),
-    factor(1.0), solid(0.0), couette{0.0, 0.0, 0.0, 0.0}, poiseuille{0.0, 0.0, 0.0}
+    factor(1.0), couette{0.0, 0.0, 0.0, 0.0}, poiseuille{0.0, 0.0, 0.0}
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "fix " + style, error);
   hindered.value = 1.0;

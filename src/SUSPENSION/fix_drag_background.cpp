@@ -216,18 +216,19 @@ double FixDragBackground::compute_vector(int n)
 
 void FixDragBackground::write_restart(FILE *fp)
 {
-  const double total = compute_scalar();
+  const double state[] = {compute_scalar(), fluid->solid};
   if (comm->me) return;
-  const int size = sizeof(double);
+  const int size = sizeof(state);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&total, sizeof(double), 1, fp);
+  fwrite(state, sizeof(state), 1, fp);
 }
 
 void FixDragBackground::restart(char *buffer)
 {
-  double total;
-  memcpy(&total, buffer, sizeof(double));
-  energy = comm->me ? 0.0 : total;
+  double state[2];
+  memcpy(state, buffer, sizeof(state));
+  energy = comm->me ? 0.0 : state[0];
+  fluid->solid = state[1];
 }
 
 /* ---------------------------------------------------------------------- */

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -52,6 +53,7 @@ FixOverdampedSphere::FixOverdampedSphere(LAMMPS *lmp, int narg, char **arg) :
                    "Fix overdamped/sphere cannot move particles without drag: remove isolated");
   dynamic_group_allow = 1;
   time_integrate = 1;
+  restart_global = 1;
   vector_flag = 1;
   size_vector = NUM_SUMS + 1;
   extvector = 0;
@@ -178,6 +180,21 @@ double FixOverdampedSphere::compute_vector(int n)
   double all;
   MPI_Allreduce(&sums[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixOverdampedSphere::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&fluid->solid, sizeof(double), 1, fp);
+}
+
+void FixOverdampedSphere::restart(char *buffer)
+{
+  memcpy(&fluid->solid, buffer, sizeof(double));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -34,6 +34,8 @@ class FixOverdampedSphere : public Fix {
   void initial_integrate(int) override;
   void reset_dt() override;
   double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
   double memory_usage() override;
 
  protected:

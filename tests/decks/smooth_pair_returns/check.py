@@ -26,7 +26,7 @@ def passing(ca, stokes, step, y0, duration, eps=0.0, mu=0.0):
     return rows, states[XJ] - states[XI], np.exp(states[GAP])
 
 
-# smooth. The explicit drag and the step at which the pair meets are first order: 5 % of what is left with these steps
+# smooth. The step at which the pair meets is first order: 5 % of what is left with these steps
 off = {}
 for ca in 1e-3, 1e-4:
     y0 = 1.0

@@ -1,0 +1,83 @@
+"""Friction and area fraction of discs against J (viscous) and I (inertial): many runs of in.discs_2d, a table, the figure.
+
+usage: tools/python.sh study.py [--J 1e-3 ... 0.1] [--I 3e-3 ... 0.3] [--friction 0 0.4] [--particles 600] [--strain 10]
+                                [--seeds 1] [--jobs 2] [--table discs_2d.csv] [--draw]
+Appends to the table and skips the cases it already holds, so a study can be stopped and extended.
+--draw only draws what the table holds. The defaults take a quarter of an hour on 1 core.
+"""
+import argparse
+import csv
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "scene"))
+import rheology
+
+CASE = ["regime", "number", "friction", "N", "strain", "seed"]
+FIELDS = CASE + ["from", "phi", "phi_error", "mu", "mu_error", "p"]
+SEEDS = [4711, 11, 23, 37, 59]
+
+
+def measure(case):
+    """One row of the table: means over the steady part and their errors."""
+    data = rheology.simulate(HERE / "in.discs_2d", case)
+    start = rheology.steady_from(data["v_gamma"], data["v_phi_now"], data["v_mu"])
+    kept = {name: column[data["v_gamma"] >= start] for name, column in data.items()}
+    row = dict(case)
+    row["from"] = f"{start:.2f}"
+    for name, column in (("phi", "v_phi_now"), ("mu", "v_mu")):
+        mean, error = rheology.estimate(kept[column])
+        row[name], row[name + "_error"] = f"{mean:.5f}", f"{error:.5f}"
+    row["p"] = f"{kept['v_p'].mean():.4f}"
+    return row
+
+
+def read(table):
+    if not Path(table).exists():
+        return []
+    with open(table, newline="", encoding="ascii") as file:
+        return list(csv.DictReader(file))
+
+
+def run(cases, table, jobs):
+    """Measures the cases that the table lacks; the shortest ones first."""
+    done = {tuple(row[name] for name in CASE) for row in read(table)}
+    missing = [case for case in cases if tuple(case[name] for name in CASE) not in done]
+    missing.sort(key=lambda case: -float(case["number"]) * (10 if case["regime"] == "viscous" else 1))
+    with open(table, "a", newline="", encoding="ascii") as file:
+        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
+        if not done:
+            writer.writeheader()
+        with ThreadPoolExecutor(jobs) as pool:
+            for row in pool.map(measure, missing):
+                writer.writerow(row)
+                file.flush()
+                print("{regime} {number} friction {friction} seed {seed} phi {phi} +- {phi_error}  mu {mu} +- {mu_error}"
+                      .format(**row), flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--J", nargs="*", default=["1e-3", "3e-3", "1e-2", "3e-2", "0.1"])
+    parser.add_argument("--I", nargs="*", default=["3e-3", "1e-2", "3e-2", "0.1", "0.3"])
+    parser.add_argument("--friction", nargs="+", default=["0", "0.4"])
+    parser.add_argument("--particles", default="600")
+    parser.add_argument("--strain", default="10")
+    parser.add_argument("--seeds", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--table", default=str(HERE / "discs_2d.csv"))
+    parser.add_argument("--draw", action="store_true")
+    args = parser.parse_args()
+    if not args.draw:
+        cases = [{"regime": regime, "number": number, "friction": friction, "N": args.particles, "strain": args.strain,
+                  "seed": str(seed)} for regime, numbers in (("viscous", args.J), ("inertial", args.I))
+                 for number in numbers for friction in args.friction for seed in SEEDS[:args.seeds]]
+        run(cases, args.table, args.jobs)
+    import plot    # pylint: disable=import-outside-toplevel
+    plot.draw(read(args.table), Path(args.table).with_suffix(".png"))
+
+
+if __name__ == "__main__":
+    main()
