@@ -132,6 +132,13 @@ def flows():
     expect_close("sheared cell: spin", vectors(table, W)[light], np.tile([0, 0, -0.25], (6, 1)), atol=1e-5)
 
 
+    # gap 3 from y = 2 on, rate 2
+    for style, first in ("drag/background", "plates"), ("drag/background", "drag"), ("overdamped/sphere", "plates"):
+        run("in.plates", style=style, first=first)
+        table = read_dump("now.txt")
+        expect_close(f"plates, {style}: velocity and spin", [table["vx"][2], table["omegaz"][2]], [3.6, -1.0], atol=1e-9)
+
+
 def hindrance():
     """Factor and terminal velocity."""
     solid = np.sum(4 / 3 * np.pi * (0.5 * (1 + 0.1 * np.arange(1, 10)))**3)
