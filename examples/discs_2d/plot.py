@@ -1,0 +1,72 @@
+"""Figure of the table of study.py: friction and area fraction against J and I, with the laws of the literature.
+
+usage: tools/python.sh study.py --draw
+"""
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from scipy.optimize import curve_fit
+
+COLORS = {"0": "#1f4e79", "0.4": "#b45f06"}
+NAMES = {"viscous": r"$J = \eta_f\dot\gamma/P$", "inertial": r"$I = \dot\gamma d\,\sqrt{\rho/P}$"}
+MU_C = {"0": 0.09, "0.4": 0.28}    # Dong, thesis, Lund University (2020)
+
+
+def columns(rows, *names):
+    """Columns of the table; an unknown error is drawn as none."""
+    return tuple(np.nan_to_num([float(row[name]) for row in rows]) for name in names)
+
+
+def power_law(x, limit, slope, exponent):
+    return limit + slope * x**exponent
+
+
+def extrapolate(x, y, errors):
+    """Limit at x -> 0 of limit + slope x^exponent and its error, and the whole fit; None with fewer than 5 points."""
+    if len(x) < 5:
+        return None
+    scale = np.where(errors > 0, errors, np.max(errors))
+    start = [y[np.argmin(x)], y[np.argmax(x)] - y[np.argmin(x)], 0.5]
+    bounds = ([-1, -10, 0.2], [2, 10, 1.5])
+    fit, covariance = curve_fit(power_law, x, y, np.clip(start, *bounds), sigma=scale, bounds=bounds)
+    return fit, np.sqrt(np.diag(covariance))
+
+
+def draw(rows, name):
+    fig, axes = plt.subplots(2, 2, figsize=(9.5, 7), sharey="row")
+    for column, regime in enumerate(NAMES):
+        for friction in sorted({row["friction"] for row in rows}, key=float):
+            mine = [row for row in rows if row["regime"] == regime and row["friction"] == friction]
+            if not mine:
+                continue
+            x, mu, mu_error, phi, phi_error = columns(mine, "number", "mu", "mu_error", "phi", "phi_error")
+            color = COLORS.get(friction, "k")
+            for ax, y, error, what in ((axes[0, column], mu, mu_error, "mu"), (axes[1, column], phi, phi_error, "phi")):
+                found = extrapolate(x, y, error)
+                label = f"friction {friction}"
+                if found:
+                    fit, spread = found
+                    grid = np.logspace(np.log10(x.min()), np.log10(x.max()))
+                    ax.plot(grid, power_law(grid, *fit), color=color, lw=0.8)
+                    label += f": {fit[0]:.3f} $\\pm$ {spread[0]:.3f} at 0"
+                    print(f"{regime} friction {friction}: {what} = {fit[0]:.4f} + {fit[1]:.4f} x^{fit[2]:.3f}, "
+                          f"limit +- {spread[0]:.4f}, exponent +- {spread[2]:.3f}")
+                ax.errorbar(x, y, error, fmt="o", ms=4, color=color, label=label)
+            if friction in MU_C:
+                axes[0, column].axhline(MU_C[friction], color=color, lw=0.8, ls="--")
+        axes[1, column].set_xlabel(NAMES[regime])
+        axes[0, column].set_title({"viscous": "viscous, no inertia", "inertial": "dry, inertial"}[regime])
+    for ax in axes.flat:
+        ax.set_xscale("log")
+        ax.legend(frameon=False, fontsize=8)
+    axes[0, 0].set_ylabel(r"$\mu = \sigma_{xy}/P$  (dashed: limits of Dong 2020)")
+    axes[1, 0].set_ylabel(r"area fraction $\phi$")
+    axes[0, 0].set_ylim(bottom=0)
+    fig.tight_layout()
+    fig.savefig(Path(name), dpi=140)
+    plt.close(fig)
+    print(f"wrote {name}")
