@@ -13,6 +13,7 @@ from scipy.optimize import curve_fit
 
 COLORS = {"0": "#1f4e79", "0.4": "#b45f06"}
 NAMES = {"viscous": r"$J = \eta_f\dot\gamma/P$", "inertial": r"$I = \dot\gamma d\,\sqrt{\rho/P}$"}
+LARGEST = {"viscous": 0.03, "inertial": 0.1}    # beyond, no power law holds
 MU_C = {"0": 0.09, "0.4": 0.28}    # Dong, thesis, Lund University (2020)
 
 
@@ -26,13 +27,13 @@ def power_law(x, limit, slope, exponent):
 
 
 def extrapolate(x, y, errors):
-    """Limit at x -> 0 of limit + slope x^exponent and its error, and the whole fit; None with fewer than 5 points."""
-    if len(x) < 5:
+    """Fit of limit + slope x^exponent and its errors; None with fewer than 4 points."""
+    if len(x) < 4:
         return None
     scale = np.where(errors > 0, errors, np.max(errors))
     start = [y[np.argmin(x)], y[np.argmax(x)] - y[np.argmin(x)], 0.5]
     bounds = ([-1, -10, 0.2], [2, 10, 1.5])
-    fit, covariance = curve_fit(power_law, x, y, np.clip(start, *bounds), sigma=scale, bounds=bounds)
+    fit, covariance = curve_fit(power_law, x, y, np.clip(start, *bounds), sigma=scale, absolute_sigma=True, bounds=bounds)
     return fit, np.sqrt(np.diag(covariance))
 
 
@@ -46,11 +47,12 @@ def draw(rows, name):
             x, mu, mu_error, phi, phi_error = columns(mine, "number", "mu", "mu_error", "phi", "phi_error")
             color = COLORS.get(friction, "k")
             for ax, y, error, what in ((axes[0, column], mu, mu_error, "mu"), (axes[1, column], phi, phi_error, "phi")):
-                found = extrapolate(x, y, error)
+                small = x <= LARGEST[regime]
+                found = extrapolate(x[small], y[small], error[small])
                 label = f"friction {friction}"
                 if found:
                     fit, spread = found
-                    grid = np.logspace(np.log10(x.min()), np.log10(x.max()))
+                    grid = np.logspace(np.log10(x.min()), np.log10(LARGEST[regime]))
                     ax.plot(grid, power_law(grid, *fit), color=color, lw=0.8)
                     label += f": {fit[0]:.3f} $\\pm$ {spread[0]:.3f} at 0"
                     print(f"{regime} friction {friction}: {what} = {fit[0]:.4f} + {fit[1]:.4f} x^{fit[2]:.3f}, "

@@ -3,7 +3,7 @@
 usage: tools/python.sh study.py [--J 1e-3 ... 0.1] [--I 3e-3 ... 0.3] [--friction 0 0.4] [--particles 600] [--strain 10]
                                 [--seeds 1] [--jobs 2] [--table discs_2d.csv] [--draw]
 Appends to the table and skips the cases it already holds, so a study can be stopped and extended.
---draw only draws what the table holds. The defaults take a quarter of an hour on 1 core.
+--draw only draws what the table holds. The defaults take about 25 minutes of one core.
 """
 import argparse
 import csv
