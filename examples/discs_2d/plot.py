@@ -64,7 +64,8 @@ def draw(rows, name):
         axes[0, column].set_title({"viscous": "viscous, no inertia", "inertial": "dry, inertial"}[regime])
     for ax in axes.flat:
         ax.set_xscale("log")
-        ax.legend(frameon=False, fontsize=8)
+        if ax.get_legend_handles_labels()[0]:
+            ax.legend(frameon=False, fontsize=8)
     axes[0, 0].set_ylabel(r"$\mu = \sigma_{xy}/P$  (dashed: limits of Dong 2020)")
     axes[1, 0].set_ylabel(r"area fraction $\phi$")
     axes[0, 0].set_ylim(bottom=0)

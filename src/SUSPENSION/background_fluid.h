@@ -16,7 +16,6 @@
 #include "rheometer_target.h"
 
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 

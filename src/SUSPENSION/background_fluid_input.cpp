@@ -18,6 +18,7 @@
 #include "variable.h"
 
 #include <cstring>
+#include <map>
 
 using namespace LAMMPS_NS;
 

@@ -10,6 +10,7 @@
 #include "compute_stress_partition.h"
 
 #include "atom.h"
+#include "background_fluid.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -98,6 +99,9 @@ void ComputeStressPartition::compute_array()
       for (int n = 0; n < NUM_COMPONENTS; n++) mine[row_of(m)][n] += pair->partition[m][n];
   }
   for (int i = 0; i < atom->nlocal; i++) add_inertial(lmp, i, mine[INERTIA]);
+  const int massless = overdamped_groups(lmp);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!(atom->mask[i] & massless)) add_inertial(lmp, i, mine[NUM_PARTS]);
 
   double volume = domain->xprd * domain->yprd;
   if (domain->dimension == 3) volume *= domain->zprd;

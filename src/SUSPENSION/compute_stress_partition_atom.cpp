@@ -10,6 +10,7 @@
 #include "compute_stress_partition_atom.h"
 
 #include "atom.h"
+#include "background_fluid.h"
 #include "comm.h"
 #include "compute_stress_partition.h"
 #include "error.h"
@@ -71,6 +72,7 @@ void ComputeStressPartitionAtom::compute_peratom()
   }
   collect_parts();
 
+  const int massless = overdamped_groups(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     double *parts = array_atom[i];
     double *inertial = parts + ComputeStressPartition::INERTIA * NUM_COMPONENTS;
@@ -81,6 +83,9 @@ void ComputeStressPartitionAtom::compute_peratom()
     ComputeStressPartition::add_inertial(lmp, i, inertial);
     for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] *= force->mvv2e;
     for (int n = 0; n < COLUMNS; n++) parts[n] *= -force->nktv2p;
+    if (!(atom->mask[i] & massless)) ComputeStressPartition::add_inertial(lmp, i, inertial);
+    for (int n = 0; n < PAIR_COLUMNS; n++) parts[n] *= -force->nktv2p;
+    for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] *= -force->nktv2p * force->mvv2e;
   }
 }
 

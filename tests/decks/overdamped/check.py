@@ -88,6 +88,7 @@ def rheometer():
     for name, column in end.items():
         expect_close(f"restart: {name}", other[name], column)
     expect_close("restart: pressure", again["f_shear[4]"][-1], thermo["f_shear[4]"][-1])
+    expect_close("no inertial stress", thermo["c_parts[5][1]"], 0.0)
     heavy = run("in.rheometer", density=1e4).thermo()
     same("density 1e4 instead of 1", heavy, thermo, 1e-10)
     off = run("in.rheometer", newton="off").thermo()
