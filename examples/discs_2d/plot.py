@@ -62,10 +62,10 @@ def draw(rows, name):
                 axes[0, column].axhline(MU_C[friction], color=color, lw=0.8, ls="--")
         axes[1, column].set_xlabel(NAMES[regime])
         axes[0, column].set_title({"viscous": "viscous, no inertia", "inertial": "dry, inertial"}[regime])
-    for ax in axes.flat:
+    for ax, place in zip(axes.flat, ["upper left"] * 2 + ["lower left"] * 2):
         ax.set_xscale("log")
         if ax.get_legend_handles_labels()[0]:
-            ax.legend(frameon=False, fontsize=8)
+            ax.legend(frameon=False, fontsize=8, loc=place)
     axes[0, 0].set_ylabel(r"$\mu = \sigma_{xy}/P$  (dashed: limits of Dong 2020)")
     axes[1, 0].set_ylabel(r"area fraction $\phi$")
     axes[0, 0].set_ylim(bottom=0)
