@@ -10,6 +10,7 @@
 #include "compute_power_partition.h"
 
 #include "atom.h"
+#include "background_fluid.h"
 #include "compute_stress_partition.h"
 #include "domain.h"
 #include "error.h"
@@ -27,12 +28,11 @@ using namespace LAMMPS_NS;
 static constexpr int NUM_ORIGINS = PairLubcontact::NUM_ORIGINS;
 static constexpr int DRAG = NUM_ORIGINS, KINETIC = DRAG + 1, NUM_ROWS = KINETIC + 1;
 static constexpr int NUM_COMPONENTS = PairLubcontact::NUM_COMPONENTS;
-static constexpr double SPHERE_INERTIA = 0.4;    // over m R^2
 
 /* ---------------------------------------------------------------------- */
 
 ComputePowerPartition::ComputePowerPartition(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), inertial(true)
+    Compute(lmp, narg, arg)
 {
   if (narg > 3)
     error->all(FLERR, 3, "Unknown compute power/partition argument: {}; it takes none", arg[3]);
@@ -63,7 +63,7 @@ void ComputePowerPartition::init()
   drags.clear();
   for (const char *name : {"^drag/background", "^overdamped/sphere"})
     for (auto &fix : modify->get_fix_by_style(name)) drags.push_back(fix);
-  inertial = modify->get_fix_by_style("^overdamped/sphere").empty();
+  inertia.find(lmp);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -94,23 +94,24 @@ void ComputePowerPartition::compute_array()
       mine[m][0] += pair->heat[m] / update->dt;
       mine[m][1] += pair->stored[m];
     }
-  if (inertial) mine[KINETIC][1] = kinetic_energy();
+  mine[KINETIC][1] = kinetic_energy();
   MPI_Allreduce(mine, array[0], 2 * NUM_ROWS, MPI_DOUBLE, MPI_SUM, world);
   for (auto &fix : drags) array[DRAG][0] += fix->compute_vector(0);
 }
 
 /* ----------------------------------------------------------------------
-   of the spheres of this rank, relative to the flow of the cell, and of their spins
+   of the particles of this rank, relative to the flow of the cell, and of their spins
 ------------------------------------------------------------------------- */
 
 double ComputePowerPartition::kinetic_energy() const
 {
   double sum[NUM_COMPONENTS] = {}, spin = 0.0;
+  const int massless = overdamped_groups(lmp);
+  ComputeStressPartition::add_all_inertial(lmp, sum);
   for (int i = 0; i < atom->nlocal; i++) {
-    ComputeStressPartition::add_inertial(lmp, i, sum);
-    const double *omega = atom->omega[i], r = atom->radius[i];
-    spin += SPHERE_INERTIA * atom->rmass[i] * r * r *
-        (omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
+    if (atom->mask[i] & massless) continue;
+    const double *omega = atom->omega[i];
+    spin += inertia.of(atom, i) * (omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
   }
   return 0.5 * force->mvv2e * (sum[0] + sum[1] + sum[2] + spin);
 }
@@ -127,10 +128,8 @@ double ComputePowerPartition::compute_scalar()
 
   // r_a F_b of the pairs and m v_a v_b, over the components xx yy zz xy xz yz yx zx zy
   double mine[NUM_COMPONENTS] = {}, all[NUM_COMPONENTS];
-  if (inertial) {
-    for (int i = 0; i < atom->nlocal; i++) ComputeStressPartition::add_inertial(lmp, i, mine);
-    for (double &product : mine) product *= force->mvv2e;
-  }
+  ComputeStressPartition::add_all_inertial(lmp, mine);
+  for (double &product : mine) product *= force->mvv2e;
   for (const auto &pair : pairs)
     for (const auto &part : pair->partition)
       for (int n = 0; n < NUM_COMPONENTS; n++) mine[n] += part[n];

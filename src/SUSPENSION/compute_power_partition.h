@@ -17,6 +17,7 @@ ComputeStyle(power/partition,ComputePowerPartition);
 #define LMP_COMPUTE_POWER_PARTITION_H
 
 #include "compute.h"
+#include "spin_inertia.h"
 
 #include <vector>
 
@@ -34,7 +35,7 @@ class ComputePowerPartition : public Compute {
  protected:
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
   std::vector<class Fix *> drags;               // they tell their power and torque
-  bool inertial;                                // not overdamped: velocities are a state
+  SpinInertia inertia;
 
   void require_tally() const;
   double kinetic_energy() const;

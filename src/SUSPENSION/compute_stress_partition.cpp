@@ -98,10 +98,7 @@ void ComputeStressPartition::compute_array()
     for (int m = 0; m < NUM_PARTS; m++)
       for (int n = 0; n < NUM_COMPONENTS; n++) mine[row_of(m)][n] += pair->partition[m][n];
   }
-  for (int i = 0; i < atom->nlocal; i++) add_inertial(lmp, i, mine[INERTIA]);
-  const int massless = overdamped_groups(lmp);
-  for (int i = 0; i < atom->nlocal; i++)
-    if (!(atom->mask[i] & massless)) add_inertial(lmp, i, mine[NUM_PARTS]);
+  add_all_inertial(lmp, mine[INERTIA]);
 
   double volume = domain->xprd * domain->yprd;
   if (domain->dimension == 3) volume *= domain->zprd;
@@ -133,6 +130,17 @@ void ComputeStressPartition::add_inertial(LAMMPS *lmp, int i, double *sum)
                                           v[0] * v[1], v[0] * v[2], v[1] * v[2],
                                           v[1] * v[0], v[2] * v[0], v[2] * v[1]};
   for (int n = 0; n < NUM_COMPONENTS; n++) sum[n] += m * product[n];
+}
+
+/* ----------------------------------------------------------------------
+   the same of all atoms of this rank but those of fix overdamped/sphere, which have no inertia
+------------------------------------------------------------------------- */
+
+void ComputeStressPartition::add_all_inertial(LAMMPS *lmp, double *sum)
+{
+  const int massless = overdamped_groups(lmp);
+  for (int i = 0; i < lmp->atom->nlocal; i++)
+    if (!(lmp->atom->mask[i] & massless)) add_inertial(lmp, i, sum);
 }
 
 /* ---------------------------------------------------------------------- */

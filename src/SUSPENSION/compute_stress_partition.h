@@ -37,6 +37,7 @@ class ComputeStressPartition : public Compute {
   // shared with compute stress/partition/atom
   static std::vector<class PairLubcontact *> find_pairs(LAMMPS *, const char *);
   static void add_inertial(LAMMPS *, int, double *);
+  static void add_all_inertial(LAMMPS *, double *);
 
  protected:
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid

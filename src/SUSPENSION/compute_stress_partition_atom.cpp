@@ -80,12 +80,9 @@ void ComputeStressPartitionAtom::compute_peratom()
       std::fill_n(parts, COLUMNS, 0.0);
       continue;
     }
-    ComputeStressPartition::add_inertial(lmp, i, inertial);
+    if (!(atom->mask[i] & massless)) ComputeStressPartition::add_inertial(lmp, i, inertial);
     for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] *= force->mvv2e;
     for (int n = 0; n < COLUMNS; n++) parts[n] *= -force->nktv2p;
-    if (!(atom->mask[i] & massless)) ComputeStressPartition::add_inertial(lmp, i, inertial);
-    for (int n = 0; n < PAIR_COLUMNS; n++) parts[n] *= -force->nktv2p;
-    for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] *= -force->nktv2p * force->mvv2e;
   }
 }
 

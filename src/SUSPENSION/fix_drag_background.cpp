@@ -13,7 +13,6 @@
 #include "background_fluid.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_nve_sphere.h"
 #include "force.h"
 #include "modify.h"
 #include "update.h"
@@ -24,8 +23,6 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using lubcontact::Vec3;
-
-static constexpr double SPHERE = 0.4;    // moment of inertia over m R^2
 
 // fixes that may come later: they read forces, or set them whatever they were
 static const char *const READERS[] = {"enforce2d", "setforce", "freeze", "store/force",
@@ -84,7 +81,7 @@ void FixDragBackground::init()
 {
   fluid->init();
   check_order();
-  find_inertia();
+  inertia.find(lmp);
 }
 
 /* ----------------------------------------------------------------------
@@ -111,31 +108,6 @@ void FixDragBackground::check_order() const
       error->all(FLERR,
                  "Fix drag/background acts on particles of fix {} {}, which drags them by itself",
                  other->id, other->style);
-}
-
-/* ----------------------------------------------------------------------
-   spheres or discs? Fix nve/sphere does not tell but its children
-------------------------------------------------------------------------- */
-
-struct MomentOfInertia : FixNVESphere {
-  static double of(FixNVESphere *fix) { return fix->*&MomentOfInertia::inertia; }
-};
-
-void FixDragBackground::find_inertia()
-{
-  inertia.clear();
-  for (const auto &other : modify->get_fix_by_style("^nve/sphere")) {
-    auto *mover = dynamic_cast<FixNVESphere *>(other);
-    if (mover) inertia.emplace_back(mover->groupbit, MomentOfInertia::of(mover));
-  }
-}
-
-double FixDragBackground::spin_inertia(int i) const
-{
-  double ratio = SPHERE;
-  for (const auto &mover : inertia)
-    if (atom->mask[i] & mover.first) ratio = mover.second;
-  return ratio * atom->rmass[i] * atom->radius[i] * atom->radius[i];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -183,7 +155,8 @@ void FixDragBackground::drag_all(bool full)
     const lubcontact::Flow flow = fluid->flow(i);
     add(damp(drag.translation, atom->rmass[i], vector(atom->v[i]), flow.velocity, atom->f[i]),
         &sums[FORCE]);
-    add(damp(drag.rotation, spin_inertia(i), vector(atom->omega[i]), flow.spin, atom->torque[i]),
+    add(damp(drag.rotation, inertia.of(atom, i), vector(atom->omega[i]), flow.spin,
+             atom->torque[i]),
         &sums[TORQUE]);
     sums[NUMBER] += 1.0;
   }

@@ -17,6 +17,7 @@ FixStyle(drag/background,FixDragBackground);
 #define LMP_FIX_DRAG_BACKGROUND_H
 
 #include "fix.h"
+#include "spin_inertia.h"
 
 #include <memory>
 #include <utility>
@@ -44,14 +45,12 @@ class FixDragBackground : public Fix {
   enum { POWER, FORCE, TORQUE = FORCE + 3, NUMBER = TORQUE + 3, NUM_SUMS };
 
   std::unique_ptr<BackgroundFluid> fluid;
-  std::vector<std::pair<int, double>> inertia;    // of groups that fix nve/sphere moves, over m R^2
-  double sums[NUM_SUMS];                          // of this rank: see the manual
-  double power;                                   // from the particles to the fluid, of this rank
-  double energy;                                  // and its integral
+  SpinInertia inertia;
+  double sums[NUM_SUMS];    // of this rank: see the manual
+  double power;             // from the particles to the fluid, of this rank
+  double energy;            // and its integral
 
   void check_order() const;
-  void find_inertia();
-  double spin_inertia(int) const;
   void drag_all(bool);
 };
 
