@@ -20,6 +20,7 @@
 #include "fix_overdamped_sphere.h"
 #include "fix_rheometer_plates.h"
 #include "pair_lubcontact.h"
+#include "suspension_scene.h"
 
 #include "lammpsplugin.h"
 #include "library.h"
@@ -69,8 +70,9 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   plugin.handle = handle;
   const auto register_plugin = reinterpret_cast<lammpsplugin_regfunc>(regfunc);
 
-  const auto pair = [&](const char *name, lammpsplugin_factory1 *creator) {
-    plugin.style = "pair";
+  const auto without_args = [&](const char *style, const char *name,
+                                lammpsplugin_factory1 *creator) {
+    plugin.style = style;
     plugin.name = name;
     plugin.creator.v1 = creator;
     register_plugin(&plugin, lmp);
@@ -82,7 +84,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
     register_plugin(&plugin, lmp);
   };
 
-  pair("lubcontact", &create<Pair, PairLubcontact>);
+  without_args("pair", "lubcontact", &create<Pair, PairLubcontact>);
+  without_args("command", "suspension_scene", &create<Command, SuspensionScene>);
   with_args("compute", "microstructure", &create_with_args<Compute, ComputeMicrostructure>);
   with_args("compute", "power/partition", &create_with_args<Compute, ComputePowerPartition>);
   with_args("compute", "stress/partition", &create_with_args<Compute, ComputeStressPartition>);

@@ -62,6 +62,13 @@ class FixDeformRheometer : public FixDeform {
   int maxsize_restart() override;
   double memory_usage() override;
 
+  // for suspension_scene: what it imposes, NaN where it imposes nothing, and all that as typed
+  struct Imposed {
+    double rate, iv, pressure;
+  };
+  Imposed imposed() const;
+  std::string settings_text() const;
+
  protected:
   FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);
 

@@ -18,6 +18,7 @@
 #include "rheometer_servo.h"
 #include "update.h"
 
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -277,4 +278,39 @@ int FixDeformRheometer::modify_param(int narg, char **arg)
   fresh = true;
   warned = false;
   return next;
+}
+
+/* ----------------------------------------------------------------------
+   values of variables are those of the last run
+------------------------------------------------------------------------- */
+
+FixDeformRheometer::Imposed FixDeformRheometer::imposed() const
+{
+  Imposed now = {NAN, NAN, NAN};
+  if (drive == IV && driven.value != 0.0)
+    now.iv = driven.value;
+  else if (drive == OSCILLATE)
+    now.rate = fabs(driven.value) + fabs(amplitude.value);
+  else if (drive == RATE && driven.value != 0.0)
+    now.rate = driven.value;
+  else if (rate != 0.0)
+    now.rate = rate;
+  const double p = confinement == PRESSURE ? pressure.value : measured_pressure;
+  if (p > 0.0) now.pressure = p;
+  return now;
+}
+
+std::string FixDeformRheometer::settings_text() const
+{
+  static constexpr const char *FLOW_NAME[] = {"shear", "planar", "uniaxial"};
+  static constexpr const char *DRIVE_NAME[] = {"", "rate", "iv", "stress", "oscillate"};
+  std::string text = fmt::format("flow {} every {} {} {}", FLOW_NAME[flow], nevery,
+                                 DRIVE_NAME[drive], driven.value);
+  if (drive == OSCILLATE) text += fmt::format(" {} {}", amplitude.value, frequency.value);
+  if (confinement == PRESSURE)
+    text += fmt::format(" pressure {} gain {}", pressure.value, gain);
+  else
+    text += " volume";
+  if (viscosity_given) text += fmt::format(" viscosity {}", viscosity.value);
+  return text;
 }

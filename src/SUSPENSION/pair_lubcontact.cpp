@@ -38,7 +38,7 @@ static constexpr int SINGLE_EXTRA = 15;
 /* ---------------------------------------------------------------------- */
 
 PairLubcontact::PairLubcontact(LAMMPS *lmp) :
-    Pair(lmp), power_step(-1), partition_step(-1), partition_atom_step(-1), eta(0.0),
+    Pair(lmp), power_step(-1), partition_step(-1), partition_atom_step(-1), dt_limit(0.0), eta(0.0),
     eta_name(nullptr), eta_var(-1), hc(0.0), range_rule(0), radius_rule(0),
     euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr), kt(nullptr), asperity(nullptr),
     roughness(nullptr), friction(nullptr), law(nullptr), critical(nullptr), adhesion(nullptr),

@@ -86,6 +86,16 @@ class PairLubcontact : public Pair {
   std::vector<std::array<double, NUM_PARTS * NUM_COMPONENTS>> partition_atom;
   bigint partition_atom_step;
 
+  // for suspension_scene
+  static const std::vector<std::string> EFFECTS;                        // that can be left out
+  bool uses(const std::string &) const;                                 // one of them
+  void leave_out(const std::string &);                                  // from the next init() on
+  std::string settings_text(const std::vector<std::string> &) const;    // typed, without some
+  double viscosity() const;                    // NaN for a variable not yet evaluated
+  unsigned effects() const { return mask; }    // of the last run: those of the history
+  class FixNeighHistory *history() const { return fix_history; }    // or null
+  double dt_limit;                                                  // at the last set-up, 0 before
+
  protected:
   // settings
   double eta;        // viscosity

@@ -175,7 +175,7 @@ void PairLubcontact::setup()
   const double mine = sum_stiffness(SLIDING, 0.0);
   double pairs;
   MPI_Allreduce(&mine, &pairs, 1, MPI_DOUBLE, MPI_SUM, world);
-  const double limit = time_step_limit();
+  const double limit = dt_limit = time_step_limit();
   if (update->dt > limit && comm->me == 0)
     error->warning(FLERR,
                    "Time step {} exceeds {:.4g}, the stability limit of the contact springs in the "

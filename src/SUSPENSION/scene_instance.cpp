@@ -1,0 +1,400 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "scene_instance.h"
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_deform_rheometer.h"
+#include "fix_neigh_history.h"
+#include "fix_nve_sphere.h"
+#include "force.h"
+#include "group.h"
+#include "input.h"
+#include "irregular.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair_lubcontact.h"
+#include "scene_history.h"
+#include "update.h"
+#include "variable.h"
+#if defined(LMP_PLUGIN)
+#include "plugin.h"
+#endif
+
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+// Until 2026 the destructor of any LAMMPS unloads all plugins, those that other instances use and
+// the one that runs now: hide them meanwhile.
+class KeepPlugins {
+ public:
+#if defined(LMP_PLUGIN)
+  explicit KeepPlugins(LAMMPS *user) : lmp(user)
+  {
+    for (int n = 0; n < plugin_get_num_plugins(); n++) plugins.push_back(*plugin_get_info(n));
+    for (const auto &plugin : plugins) plugin_erase(plugin.style, plugin.name);
+  }
+  ~KeepPlugins()
+  {
+    FILE *screen = lmp->screen, *logfile = lmp->logfile;
+    const int warned = lmp->error->get_numwarn();
+    lmp->screen = lmp->logfile = nullptr;    // it would report them as loaded again
+    for (auto &plugin : plugins) plugin_register(&plugin, lmp);
+    lmp->error->set_numwarn(warned);
+    lmp->screen = screen;
+    lmp->logfile = logfile;
+  }
+
+ private:
+  LAMMPS *lmp;
+  std::vector<lammpsplugin_t> plugins;
+#else
+  explicit KeepPlugins(LAMMPS *) {}
+#endif
+};
+
+// a member of LAMMPS' own fixes that is protected
+struct Inertia : FixNVESphere {
+  static bool of_disc(FixNVESphere *fix) { return fix->*(&Inertia::inertia) == 0.5; }
+};
+
+struct Deformation : FixDeform {
+  static bool only_tilts(FixDeform *fix)
+  {
+    const auto *set = fix->*(&Deformation::set);
+    for (int n = 0; n < 5; n++)
+      if (set[n].style != NONE) return false;
+    return set[5].style != NONE && fix->remapflag == Domain::V_REMAP;
+  }
+  static double rate(FixDeform *fix)
+  {
+    const auto &tilt = (fix->*(&Deformation::set))[5];
+    return tilt.style == ERATE || tilt.style == ERATERS ? tilt.rate : 0.0;
+  }
+};
+
+using File = std::unique_ptr<FILE, int (*)(FILE *)>;
+
+File scratch(LAMMPS *lmp)
+{
+  File file(lmp->comm->me == 0 ? tmpfile() : nullptr, [](FILE *fp) {
+    return fp ? fclose(fp) : 0;
+  });
+  if (lmp->comm->me == 0 && !file)
+    lmp->error->one(FLERR, "Suspension_scene cannot make a temporary file: {}",
+                    utils::getsyserror());
+  return file;
+}
+
+// fixes that only watch
+bool watches(const Fix *fix, int mask)
+{
+  for (const char *name : {"^NEIGH_HISTORY", "^DUMMY", "^ave/", "^print", "^vector", "^store/",
+                           "^STORE", "^property/atom", "^balance", "^halt"})
+    if (utils::strmatch(fix->style, name)) return true;
+  return mask == 0;
+}
+
+}    // namespace
+
+/* ---------------------------------------------------------------------- */
+
+SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
+{
+  Error *error = lmp->error;
+  static constexpr const char *CURE = "the advice without the word measure works here, too";
+  if (!lmp->domain->box_exist || lmp->atom->natoms == 0)
+    error->all(FLERR, "Suspension_scene needs particles: use it after they are created");
+
+  Plan plan;
+  plan.pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
+  if (!plan.pair)
+    error->all(FLERR,
+               "Suspension_scene measure needs pair_style lubcontact alone, but the pair style is "
+               "{}; {}",
+               lmp->force->pair_style ? lmp->force->pair_style : "none", CURE);
+  if (lmp->neighbor->exclude)
+    error->all(FLERR, "Suspension_scene measure cannot copy neigh_modify exclude; {}", CURE);
+
+  const auto &fixes = lmp->modify->get_fix_list();
+  for (std::size_t n = 0; n < fixes.size(); n++) {
+    Fix *fix = fixes[n];
+    if (utils::strmatch(fix->style, "^nve/sphere$") || utils::strmatch(fix->style, "^enforce2d$")) {
+      plan.movers.push_back(fix);
+    } else if (utils::strmatch(fix->style, "^deform/rheometer$")) {
+      plan.flow = fix;
+      plan.rate = fix->compute_vector(1);
+    } else if (utils::strmatch(fix->style, "^deform$") &&
+               Deformation::only_tilts(dynamic_cast<FixDeform *>(fix))) {
+      plan.flow = fix;
+      plan.rate = Deformation::rate(dynamic_cast<FixDeform *>(fix));
+      if (plan.rate == 0.0) plan.rate = lmp->domain->h_rate[5] / lmp->domain->yprd;
+      if (plan.rate == 0.0)
+        error->all(FLERR,
+                   "Suspension_scene measure does not know the rate of fix {} before the first "
+                   "run: add run 0",
+                   fix->id);
+    } else if (!watches(fix, lmp->modify->fmask[n])) {
+      error->all(FLERR, "Suspension_scene measure cannot copy fix {} of style {}; {}", fix->id,
+                 fix->style, CURE);
+    }
+  }
+  if (!plan.flow)
+    error->all(FLERR,
+               "Suspension_scene measure needs a flow: fix deform/rheometer, or fix deform of xy "
+               "with remap v; {}",
+               CURE);
+  return plan;
+}
+
+/* ---------------------------------------------------------------------- */
+
+SceneInstance::SceneInstance(LAMMPS *from, const Plan &plan,
+                             const std::vector<std::string> &without) :
+    lmp(nullptr),
+    history_kept(true), original(from)
+{
+  const char *words[] = {"lmp", "-log", "none", "-screen", "none", "-nocite"};
+  lmp = new LAMMPS(6, const_cast<char **>(words), from->world);
+  try {
+    // what plugins have brought
+    *lmp->force->pair_map = *from->force->pair_map;
+    *lmp->modify->fix_map = *from->modify->fix_map;
+    *lmp->modify->compute_map = *from->modify->compute_map;
+
+    set_up();
+    copy_box();
+    copy_atoms();
+    copy_pair(plan, without);
+    copy_fixes(plan);
+    lmp->init();
+    copy_history(plan.pair);
+    migrate();
+  } catch (...) {
+    KeepPlugins keep(original);
+    delete lmp;
+    throw;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+SceneInstance::~SceneInstance()
+{
+  KeepPlugins keep(original);
+  delete lmp;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void SceneInstance::one(const std::string &command) const
+{
+  lmp->input->one(command);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void SceneInstance::set_up() const
+{
+  const Comm *comm = original->comm;
+  const Neighbor *neighbor = original->neighbor;
+  auto on = [](int flag) {
+    return flag ? "on" : "off";
+  };
+  char boundary[9];
+  original->domain->boundary_string(boundary);
+  one(fmt::format("units {}", original->update->unit_style));
+  one(fmt::format("dimension {}", original->domain->dimension));
+  one(fmt::format("newton {} off", on(original->force->newton_pair)));
+  one(fmt::format("boundary {}", boundary));
+  one(fmt::format("processors {} {} {}", comm->procgrid[0], comm->procgrid[1], comm->procgrid[2]));
+  one("atom_style sphere");
+  one(fmt::format("atom_modify map {}",
+                  original->atom->map_style == Atom::MAP_HASH ? "hash" : "array"));
+  one("comm_modify vel yes");
+  if (comm->cutghostuser > 0.0) one(fmt::format("comm_modify cutoff {}", comm->cutghostuser));
+  one(fmt::format("neighbor {} {}", neighbor->skin, neighbor->style == 0 ? "nsq" : "bin"));
+  one(fmt::format("neigh_modify every {} delay {} check {} page {} one {}", neighbor->every,
+                  neighbor->delay, neighbor->dist_check ? "yes" : "no", neighbor->pgsize,
+                  neighbor->oneatom));
+  one(fmt::format("timestep {}", original->update->dt));
+  lmp->update->ntimestep = original->update->ntimestep;    // servos act in steps of their own
+}
+
+/* ----------------------------------------------------------------------
+   as read_restart does
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_box() const
+{
+  const Domain *from = original->domain;
+  Domain *to = lmp->domain;
+  for (int d = 0; d < 3; d++) {
+    to->boxlo[d] = from->boxlo[d];
+    to->boxhi[d] = from->boxhi[d];
+  }
+  to->triclinic = from->triclinic;
+  to->xy = from->xy;
+  to->xz = from->xz;
+  to->yz = from->yz;
+  to->box_exist = 1;
+  lmp->atom->ntypes = original->atom->ntypes;
+  lmp->atom->allocate_type_arrays();
+  lmp->atom->deallocate_topology();
+  lmp->atom->avec->grow(static_cast<int>(lmp->atom->avec->roundup(original->atom->nlocal + 1)));
+  to->set_initial_box(0);
+  to->set_global_box();
+  lmp->comm->set_proc_grid();
+  to->set_local_box();
+}
+
+/* ----------------------------------------------------------------------
+   the particles of each rank, in their order
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_atoms() const
+{
+  const Atom *from = original->atom;
+  Atom *to = lmp->atom;
+  std::vector<std::pair<int, int>> bits;
+  for (int n = 0; n < 32; n++)
+    if (const char *name = original->group->names[n])
+      bits.emplace_back(original->group->bitmask[n],
+                        lmp->group->bitmask[lmp->group->find_or_create(name)]);
+
+  for (int i = 0; i < from->nlocal; i++) {
+    to->avec->create_atom(from->type[i], from->x[i]);
+    to->tag[i] = from->tag[i];
+    to->image[i] = from->image[i];
+    to->radius[i] = from->radius[i];
+    to->rmass[i] = from->rmass[i];
+    for (int d = 0; d < 3; d++) {
+      to->v[i][d] = from->v[i][d];
+      to->omega[i][d] = from->omega[i][d];
+    }
+    to->mask[i] = 0;
+    for (const auto &bit : bits)
+      if (from->mask[i] & bit.first) to->mask[i] |= bit.second;
+  }
+  to->natoms = from->natoms;
+  to->map_init();
+  to->map_set();
+}
+
+/* ----------------------------------------------------------------------
+   by way of a restart file: whatever the pair style has is in there
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_pair(const Plan &plan, const std::vector<std::string> &without) const
+{
+  const std::string settings = plan.pair->settings_text({});
+  const std::string eta = settings.substr(11, settings.find(' ', 11) - 11);
+  if (utils::strmatch(eta, "^v_"))
+    one(fmt::format("variable {} equal {}", eta.substr(2), plan.pair->viscosity()));
+
+  one("pair_style " + settings);
+  auto *pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
+  const File file = scratch(original);
+  if (file) {
+    plan.pair->write_restart(file.get());
+    rewind(file.get());
+  }
+  pair->read_restart(file.get());
+  for (const auto &effect : without) pair->leave_out(effect);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void SceneInstance::copy_fixes(const Plan &plan) const
+{
+  const Group *group = original->group;
+  for (Fix *fix : plan.movers) {
+    auto *sphere = dynamic_cast<FixNVESphere *>(fix);
+    one(fmt::format("fix {} {} {}{}", fix->id, group->names[fix->igroup], fix->style,
+                    sphere && Inertia::of_disc(sphere) ? " disc" : ""));
+  }
+
+  const auto *rheometer = dynamic_cast<FixDeformRheometer *>(plan.flow);
+  const std::string text = rheometer ? rheometer->settings_text()
+                                     : fmt::format("rate {} volume start {}", plan.rate, plan.rate);
+  one(fmt::format("fix {} {} deform/rheometer {}", plan.flow->id, group->names[plan.flow->igroup],
+                  text));
+  if (!rheometer) return;
+
+  // its state
+  const File file = scratch(original);
+  plan.flow->write_restart(file.get());
+  int size = 0;
+  std::vector<char> state;
+  auto read = [&](void *to, std::size_t length) {
+    if (file) utils::sfread(FLERR, to, 1, length, file.get(), nullptr, original->error);
+    MPI_Bcast(to, static_cast<int>(length), MPI_CHAR, 0, original->world);
+  };
+  if (file) rewind(file.get());
+  read(&size, sizeof(int));
+  state.resize(size);
+  read(state.data(), size);
+  lmp->modify->get_fix_by_id(plan.flow->id)->restart(state.data());
+}
+
+/* ----------------------------------------------------------------------
+   between runs the history of a pair is kept with both particles
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_history(const PairLubcontact *from)
+{
+  const auto *to = dynamic_cast<PairLubcontact *>(lmp->force->pair);
+  FixNeighHistory *source = from->history(), *target = to->history();
+  if (!target) return;
+  history_kept = false;
+  if (!source) return;
+
+  const std::vector<int> map = scene::history_map(from->effects(), to->effects());
+  for (const int slot : map)
+    if (slot < 0) return;
+  history_kept = true;
+  const int size = source->get_dnum();
+  std::vector<double> all, kept;
+  for (int i = 0; i < original->atom->nlocal; i++) {
+    // number of partners, then ID and values of each
+    all.resize(1 + (1 + size) * (source->get_maxpartner() + 1));
+    const int length = source->pack_exchange(i, all.data());
+    kept.assign(1, all[0]);
+    for (int m = 1; m < length; m += 1 + size) {
+      kept.push_back(all[m]);
+      for (const int slot : map) kept.push_back(all[m + 1 + slot]);
+    }
+    target->unpack_exchange(i, kept.data());
+  }
+  target->maxexchange = (target->get_dnum() + 1) * target->get_maxpartner() + 1;
+}
+
+/* ----------------------------------------------------------------------
+   to the ranks that own their places here
+------------------------------------------------------------------------- */
+
+void SceneInstance::migrate() const
+{
+  Domain *domain = lmp->domain;
+  const bool lamda = domain->triclinic;
+  if (lamda) domain->x2lamda(lmp->atom->nlocal);
+  domain->pbc();
+  domain->reset_box();
+  Irregular(lmp).migrate_atoms();
+  if (lamda) domain->lamda2x(lmp->atom->nlocal);
+}

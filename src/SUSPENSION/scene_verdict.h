@@ -1,0 +1,275 @@
+// Which effects does a scene call for? One table of thresholds with their sources, one line of
+// judgement per effect. The manual page suspension_scene quotes the table.
+
+#ifndef SCENE_VERDICT_H
+#define SCENE_VERDICT_H
+
+#include "scene_numbers.h"
+
+#include <string>
+#include <vector>
+
+namespace scene {
+
+enum Limit {
+  DRY,
+  FILM_SHARE,
+  FILM_SHARE_FRICTIONLESS,
+  FRICTION_GAIN,
+  CRITICAL_LOW,
+  CRITICAL_HIGH,
+  SURFACE_FORCE,
+  FAR_FIELD,
+  INERTIAL,
+  TALL,
+  CRUSHED,
+  HARD,
+  BROWNIAN,
+  FLUID_INERTIA,
+  STEP,
+  SMALL_BOX,
+  NUM_LIMITS
+};
+
+struct Threshold {
+  const char *number;
+  double value;
+  const char *source;
+};
+
+inline constexpr Threshold THRESHOLD[NUM_LIMITS] = {
+    {"4 St/9", 500.0, "Joseph et al., J. Fluid Mech. 433, 329 (2001): rebound as if dry above"},
+    {"Iv", 0.01, "tests/validation/mu_of_iv: films carry 8 % of the stress there, friction 0.5"},
+    {"Iv", 0.001, "tests/validation/mu_of_iv: films carry 4 % of the stress there, no friction"},
+    {"gain", 0.1, "Chevremont et al., Phys. Rev. Fluids 4, 064302 (2019), eq. 13"},
+    {"P a^2/F", 0.05, "Wyart and Cates, Phys. Rev. Lett. 112, 098302 (2014): 5 % rub"},
+    {"P a^2/F", 3.0, "Wyart and Cates, Phys. Rev. Lett. 112, 098302 (2014): 95 % rub"},
+    {"F/(P d^2)", 0.1, "estimate: a tenth of the confining force on a particle"},
+    {"phi", 0.45, "examples/shear_rate: law met at 0.45, viscosity 20 % low at 0.40, 40 % at 0.30"},
+    {"4 St", 2.0,
+     "examples/shear_rate: no change up to St 0.5; Tapia et al., Phys. Rev. Lett. 129, "
+     "078001 (2022): transition at 10"},
+    {"eps", 0.02, "examples/shear_rate: no change from 0.003 to 0.02, viscosity doubled at 0.05"},
+    {"E eps/P", 50.0, "examples/shear_rate: no change at 70, viscosity +26 % at 24, +74 % at 2.4"},
+    {"E/P", 1e4,
+     "tests/validation/mu_of_iv: laws of hard spheres met; da Cruz et al., Phys. Rev. E "
+     "72, 021309 (2005)"},
+    {"Pe", 1e3, "Foss and Brady, J. Fluid Mech. 407, 167 (2000)"},
+    {"Re", 0.1, "Picano et al., Phys. Rev. Lett. 111, 098302 (2013)"},
+    {"dt/limit", 0.5, "contacts become more numerous than at the start"},
+    {"box/d", 8.0, "examples/shear_rate: viscosity +3 % with 500 particles, +12 % with 200"},
+};
+
+enum Answer { NEEDED, NOT_NEEDED, BEYOND, CANNOT_TELL };
+inline constexpr const char *ANSWER_NAME[] = {"needed", "not needed", "beyond this package",
+                                              "cannot tell"};
+
+enum Effect {
+  SQUEEZE_FILM,
+  SHEAR_FILM,
+  ROLLING_FILM,
+  TWISTING_FILM,
+  FRICTION_LAW,
+  CRITICAL_LOAD,
+  ADHESION,
+  REPULSION,
+  DRAG,
+  INERTIA,
+  ROUGHNESS,
+  COMPLIANCE,
+  BROWNIAN_MOTION,
+  FAR_HYDRODYNAMICS,
+  FLUID_INERTIA_EFFECT,
+  NUM_EFFECTS
+};
+inline constexpr const char *EFFECT_NAME[NUM_EFFECTS] = {
+    "squeeze film",     "shear film",        "rolling film",
+    "twisting film",    "friction",          "critical load",
+    "adhesion",         "repulsion",         "drag",
+    "particle inertia", "roughness",         "elastic compliance",
+    "Brownian motion",  "far hydrodynamics", "fluid inertia"};
+
+struct Verdict {
+  Effect effect;
+  Answer answer;
+  std::string why;
+};
+
+// "Iv = 0.02 > 0.01 [source]"
+inline std::string compare(double x, Limit limit)
+{
+  const Threshold &t = THRESHOLD[limit];
+  return std::string(t.number) + " = " + show(x) + (x > t.value ? " > " : " <= ") + show(t.value) +
+      " [" + t.source + "]";
+}
+
+inline Verdict above(Effect e, double x, Limit limit, Answer if_above, Answer otherwise)
+{
+  return {e, x > THRESHOLD[limit].value ? if_above : otherwise, compare(x, limit)};
+}
+
+// the four films share what makes them idle
+inline bool films_idle(const Scene &s, const Numbers &n, Effect e, std::vector<Verdict> &out)
+{
+  if (!known(s.viscosity))
+    out.push_back({e, CANNOT_TELL, "give the viscosity of the fluid: viscosity eta"});
+  else if (s.viscosity == 0.0)
+    out.push_back({e, NOT_NEEDED, "dry: the viscosity is 0"});
+  else if (4.0 / 9.0 * n.St > THRESHOLD[DRY].value)
+    out.push_back({e, NOT_NEEDED, compare(4.0 / 9.0 * n.St, DRY)});
+  else
+    return false;
+  return true;
+}
+
+inline void judge_films(const Scene &s, const Numbers &n, std::vector<Verdict> &out)
+{
+  if (!films_idle(s, n, SQUEEZE_FILM, out)) {
+    const Limit limit = s.friction > 0.0 ? FILM_SHARE : FILM_SHARE_FRICTIONLESS;
+    if (known(n.Iv))
+      out.push_back(above(SQUEEZE_FILM, n.Iv, limit, NEEDED, NOT_NEEDED));
+    else
+      out.push_back({SQUEEZE_FILM, CANNOT_TELL, "Iv unknown: give rate and pressure"});
+  }
+  if (!films_idle(s, n, SHEAR_FILM, out))
+    out.push_back(
+        {SHEAR_FILM, NEEDED, "viscosity 10 instead of 34 without, phi 0.5 [examples/shear_rate]"});
+  if (!films_idle(s, n, ROLLING_FILM, out))
+    out.push_back({ROLLING_FILM, NEEDED,
+                   "viscosity 21 instead of 34 without, phi 0.5 [examples/shear_rate]"});
+  if (!films_idle(s, n, TWISTING_FILM, out))
+    out.push_back({TWISTING_FILM, NOT_NEEDED,
+                   "viscosity 34 with and without, phi 0.5 [examples/shear_rate]"});
+}
+
+inline Verdict judge_friction(const Scene &s, const Numbers &n)
+{
+  if (!known(s.friction)) return {FRICTION_LAW, CANNOT_TELL, "give the coefficient: friction mu"};
+  if (s.friction == 0.0) return {FRICTION_LAW, NOT_NEEDED, "the coefficient is 0"};
+  if (s.viscosity > 0.0 && s.roughness == 0.0)
+    return {FRICTION_LAW, NOT_NEEDED, "smooth particles in a fluid never touch: roughness is 0"};
+  if (s.dimension != 3.0)
+    return {FRICTION_LAW, NEEDED, "no law of discs to tell whether it could be left out"};
+  return above(FRICTION_LAW, n.friction_gain, FRICTION_GAIN, NEEDED, NOT_NEEDED);
+}
+
+inline Verdict judge_critical(const Scene &s, const Numbers &n)
+{
+  if (!known(s.critical))
+    return {CRITICAL_LOAD, CANNOT_TELL, "give the load below which nothing rubs: critical F"};
+  if (s.critical == 0.0) return {CRITICAL_LOAD, NOT_NEEDED, "the critical load is 0"};
+  if (s.friction == 0.0) return {CRITICAL_LOAD, NOT_NEEDED, "without friction it cannot act"};
+  if (!known(n.critical))
+    return {CRITICAL_LOAD, CANNOT_TELL, "pressure unknown: give it or rate and viscosity"};
+  if (n.critical < THRESHOLD[CRITICAL_LOW].value)
+    return {CRITICAL_LOAD, NOT_NEEDED,
+            "no contact rubs, use friction none: " + compare(n.critical, CRITICAL_LOW)};
+  return above(CRITICAL_LOAD, n.critical, CRITICAL_HIGH, NOT_NEEDED, NEEDED);
+}
+
+inline Verdict judge_force(Effect e, double force, double number, const char *keyword)
+{
+  if (!known(force))
+    return {e, CANNOT_TELL, std::string("give the force of the surfaces: ") + keyword + " F"};
+  if (force == 0.0) return {e, NOT_NEEDED, "the force is 0"};
+  if (!known(number)) return {e, CANNOT_TELL, "pressure unknown: give it or rate and viscosity"};
+  return above(e, number, SURFACE_FORCE, NEEDED, NOT_NEEDED);
+}
+
+// what the fluid does far from the contacts
+inline Verdict judge_fluid(const Scene &s, Effect e, double x, Limit limit, Answer if_needed)
+{
+  if (!known(s.viscosity))
+    return {e, CANNOT_TELL, "give the viscosity of the fluid: viscosity eta"};
+  if (s.viscosity == 0.0) return {e, NOT_NEEDED, "dry: the viscosity is 0"};
+  if (s.dimension != 3.0 && limit == FAR_FIELD)
+    return {e, CANNOT_TELL, "no measurement for discs; spheres need it below phi = 0.45"};
+  return {e, x < THRESHOLD[limit].value ? if_needed : NOT_NEEDED, compare(x, limit)};
+}
+
+inline Verdict judge_inertia(const Scene &s, const Numbers &n)
+{
+  if (s.viscosity == 0.0) return {INERTIA, NEEDED, "dry: nothing else limits the motion"};
+  if (!known(n.St)) return {INERTIA, CANNOT_TELL, "St unknown: give rate and viscosity"};
+  return above(INERTIA, 4.0 * n.St, INERTIAL, NEEDED, NOT_NEEDED);
+}
+
+inline Verdict judge_roughness(const Scene &s)
+{
+  if (!known(s.viscosity) || !known(s.roughness))
+    return {ROUGHNESS, CANNOT_TELL, "give viscosity eta and roughness eps"};
+  if (s.viscosity == 0.0) return {ROUGHNESS, NOT_NEEDED, "dry: surfaces touch without asperities"};
+  if (s.friction == 0.0)
+    return {ROUGHNESS, NEEDED, "it sets the smallest gap, also without friction"};
+  return {ROUGHNESS, NEEDED, "without asperities surfaces in a fluid never touch nor rub"};
+}
+
+inline Verdict judge_compliance(const Numbers &n)
+{
+  if (!known(n.stiffness))
+    return {COMPLIANCE, CANNOT_TELL, "E/P unknown: give stiffness and pressure, or rate"};
+  return above(COMPLIANCE, n.stiffness, HARD, NOT_NEEDED, NEEDED);
+}
+
+inline Verdict judge_brownian(const Scene &s, const Numbers &n)
+{
+  if (s.thermal == 0.0) return {BROWNIAN_MOTION, NOT_NEEDED, "the temperature is 0"};
+  if (!known(s.thermal)) return {BROWNIAN_MOTION, CANNOT_TELL, "give the temperature T"};
+  if (s.viscosity == 0.0) return {BROWNIAN_MOTION, NOT_NEEDED, "dry: the viscosity is 0"};
+  if (!known(n.Pe)) return {BROWNIAN_MOTION, CANNOT_TELL, "Pe unknown: give rate and viscosity"};
+  return above(BROWNIAN_MOTION, n.Pe, BROWNIAN, NOT_NEEDED, BEYOND);
+}
+
+inline Verdict judge_fluid_inertia(const Scene &s, const Numbers &n)
+{
+  if (s.viscosity == 0.0) return {FLUID_INERTIA_EFFECT, NOT_NEEDED, "dry: the viscosity is 0"};
+  if (!known(s.fluid_density))
+    return {FLUID_INERTIA_EFFECT, CANNOT_TELL, "give the density of the fluid: fluid_density rho"};
+  if (!known(n.Re))
+    return {FLUID_INERTIA_EFFECT, CANNOT_TELL, "Re unknown: give rate and viscosity"};
+  return above(FLUID_INERTIA_EFFECT, n.Re, FLUID_INERTIA, BEYOND, NOT_NEEDED);
+}
+
+// one verdict per effect, in the order of Effect
+inline std::vector<Verdict> judge(const Scene &s, const Numbers &n)
+{
+  std::vector<Verdict> out;
+  judge_films(s, n, out);
+  out.push_back(judge_friction(s, n));
+  out.push_back(judge_critical(s, n));
+  out.push_back(judge_force(ADHESION, s.adhesion, n.adhesion, "adhesion"));
+  out.push_back(judge_force(REPULSION, s.repulsion, n.repulsion, "repulsion"));
+  out.push_back(judge_fluid(s, DRAG, s.phi, FAR_FIELD, NEEDED));
+  out.push_back(judge_inertia(s, n));
+  out.push_back(judge_roughness(s));
+  out.push_back(judge_compliance(n));
+  out.push_back(judge_brownian(s, n));
+  out.push_back(judge_fluid(s, FAR_HYDRODYNAMICS, s.phi, FAR_FIELD, BEYOND));
+  out.push_back(judge_fluid_inertia(s, n));
+  return out;
+}
+
+// what spoils the scene whatever effects are on
+inline std::vector<std::string> warnings(const Scene &s, const Numbers &n)
+{
+  std::vector<std::string> out;
+  if (s.viscosity > 0.0 && s.roughness > 0.0 && n.crushing < THRESHOLD[CRUSHED].value)
+    out.push_back("asperities are crushed flat: " + compare(n.crushing, CRUSHED) +
+                  "; raise the stiffness");
+  if (s.viscosity > 0.0 && s.roughness > THRESHOLD[TALL].value)
+    out.push_back("asperities make the particles larger: " + compare(s.roughness, TALL));
+  if (n.step > 1.0)
+    out.push_back("the time step exceeds the stability limit: dt/limit = " + show(n.step));
+  else if (n.step > THRESHOLD[STEP].value)
+    out.push_back("the time step is near the stability limit: " + compare(n.step, STEP));
+  if (n.box < THRESHOLD[SMALL_BOX].value)
+    out.push_back("the box is small: " + compare(n.box, SMALL_BOX));
+  if (s.phi >= n.phi_jam)
+    out.push_back("phi = " + show(s.phi) + " is above jamming at " + show(n.phi_jam) + " [" +
+                  THRESHOLD[FRICTION_GAIN].source + "]: only soft particles flow");
+  return out;
+}
+
+}    // namespace scene
+
+#endif
