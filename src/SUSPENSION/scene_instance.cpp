@@ -330,10 +330,10 @@ void SceneInstance::copy_fixes(const Plan &plan) const
   }
 
   const auto *rheometer = dynamic_cast<FixDeformRheometer *>(plan.flow);
-  const std::string text = rheometer ? rheometer->settings_text()
-                                     : fmt::format("rate {} volume start {}", plan.rate, plan.rate);
-  one(fmt::format("fix {} {} deform/rheometer {}", plan.flow->id, group->names[plan.flow->igroup],
-                  text));
+  const std::string text = rheometer
+      ? "deform/rheometer " + rheometer->settings_text()
+      : fmt::format("deform {} xy erate {} remap v", plan.flow->nevery, plan.rate);
+  one(fmt::format("fix {} {} {}", plan.flow->id, group->names[plan.flow->igroup], text));
   if (!rheometer) return;
 
   // its state

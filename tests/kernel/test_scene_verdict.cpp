@@ -1,0 +1,242 @@
+#include "scene_verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace scene;
+
+// dense, viscous, rough, hard and slow: everything known, all numbers away from their thresholds
+static Scene paste()
+{
+  Scene s;
+  s.particles = 1000;
+  s.phi = 0.55;
+  s.viscosity = 1.0;
+  s.rate = 1.0;
+  s.pressure = 20.0;    // Iv 0.05
+  s.density = 0.05;
+  s.g = 1e6;
+  s.roughness = 0.01;
+  s.friction = 0.5;
+  s.repulsion = s.adhesion = s.critical = 0.0;
+  s.thermal = 0.0;
+  s.fluid_density = 0.05;
+  s.dt = 0.1;
+  s.dt_limit = 1.0;
+  s.box = 40.0;
+  return s;
+}
+
+static Verdict verdict(const Scene &s, Effect e)
+{
+  return judge(s, numbers(s))[e];
+}
+
+static Answer answer(const Scene &s, Effect e)
+{
+  return verdict(s, e).answer;
+}
+
+// one number a hair below and above its threshold
+static void expect_flip(Effect e, double Scene::*what, double at, Answer below, Answer above,
+                        Scene s = paste())
+{
+  s.*what = 0.999 * at;
+  EXPECT_EQ(answer(s, e), below) << EFFECT_NAME[e] << ": " << verdict(s, e).why;
+  s.*what = 1.001 * at;
+  EXPECT_EQ(answer(s, e), above) << EFFECT_NAME[e] << ": " << verdict(s, e).why;
+}
+
+static bool warns(const Scene &s, const std::string &word)
+{
+  for (const auto &warning : warnings(s, numbers(s)))
+    if (warning.find(word) != std::string::npos) return true;
+  return false;
+}
+
+TEST(SceneVerdict, OnePerEffectInTheirOrder)
+{
+  const Scene s = paste();
+  const auto verdicts = judge(s, numbers(s));
+  ASSERT_EQ(verdicts.size(), static_cast<std::size_t>(NUM_EFFECTS));
+  for (int e = 0; e < NUM_EFFECTS; e++) {
+    EXPECT_EQ(verdicts[e].effect, e);
+    EXPECT_FALSE(verdicts[e].why.empty());
+    EXPECT_NE(verdicts[e].answer, CANNOT_TELL) << EFFECT_NAME[e];
+  }
+}
+
+TEST(SceneVerdict, OfAPaste)
+{
+  const Scene s = paste();
+  for (Effect e : {SQUEEZE_FILM, SHEAR_FILM, ROLLING_FILM, FRICTION_LAW, ROUGHNESS})
+    EXPECT_EQ(answer(s, e), NEEDED) << EFFECT_NAME[e];
+  for (Effect e : {TWISTING_FILM, CRITICAL_LOAD, ADHESION, REPULSION, DRAG, INERTIA, COMPLIANCE,
+                   BROWNIAN_MOTION, FAR_HYDRODYNAMICS, FLUID_INERTIA_EFFECT})
+    EXPECT_EQ(answer(s, e), NOT_NEEDED) << EFFECT_NAME[e];
+  EXPECT_TRUE(warnings(s, numbers(s)).empty());
+}
+
+TEST(SceneVerdict, OfDryGrains)
+{
+  Scene s = paste();
+  s.viscosity = 0.0;
+  for (Effect e : {SQUEEZE_FILM, SHEAR_FILM, ROLLING_FILM, TWISTING_FILM, ROUGHNESS, DRAG,
+                   FAR_HYDRODYNAMICS, BROWNIAN_MOTION, FLUID_INERTIA_EFFECT})
+    EXPECT_EQ(answer(s, e), NOT_NEEDED) << EFFECT_NAME[e];
+  for (Effect e : {FRICTION_LAW, INERTIA}) EXPECT_EQ(answer(s, e), NEEDED) << EFFECT_NAME[e];
+  s.roughness = 1e-9;
+  EXPECT_FALSE(warns(s, "crushed"));    // nothing to crush
+}
+
+TEST(SceneVerdict, OfAnUnknownFluid)
+{
+  Scene s = paste();
+  s.viscosity = UNKNOWN;
+  for (Effect e : {SQUEEZE_FILM, SHEAR_FILM, ROLLING_FILM, TWISTING_FILM, DRAG, INERTIA, ROUGHNESS,
+                   FAR_HYDRODYNAMICS, FLUID_INERTIA_EFFECT})
+    EXPECT_EQ(answer(s, e), CANNOT_TELL) << EFFECT_NAME[e];
+}
+
+TEST(SceneVerdict, AsksForWhatItDoesNotKnow)
+{
+  Scene s = paste();
+  s.friction = s.critical = s.adhesion = s.repulsion = s.thermal = s.fluid_density = UNKNOWN;
+  s.g = UNKNOWN;
+  for (Effect e : {FRICTION_LAW, CRITICAL_LOAD, ADHESION, REPULSION, BROWNIAN_MOTION, COMPLIANCE,
+                   FLUID_INERTIA_EFFECT}) {
+    EXPECT_EQ(answer(s, e), CANNOT_TELL) << EFFECT_NAME[e];
+    EXPECT_NE(verdict(s, e).why.find("give"), std::string::npos) << verdict(s, e).why;
+  }
+  s = paste();
+  s.rate = s.pressure = UNKNOWN;
+  s.thermal = s.adhesion = s.repulsion = s.critical = 1.0;
+  for (Effect e : {SQUEEZE_FILM, CRITICAL_LOAD, ADHESION, REPULSION, INERTIA, COMPLIANCE,
+                   BROWNIAN_MOTION, FLUID_INERTIA_EFFECT})
+    EXPECT_EQ(answer(s, e), CANNOT_TELL) << EFFECT_NAME[e];
+}
+
+// --- both sides of every threshold; a = rate = eta = 1, so that St = density, Iv = 1/pressure
+
+TEST(SceneVerdict, FilmsAreIdleAtLargeStokesNumbers)    // impact St = 4 St/9, dry above 500
+{
+  for (Effect e : {SQUEEZE_FILM, SHEAR_FILM, ROLLING_FILM})
+    expect_flip(e, &Scene::density, 1125.0, NEEDED, NOT_NEEDED);
+}
+
+TEST(SceneVerdict, SqueezeFilmNeedsViscousStress)
+{
+  expect_flip(SQUEEZE_FILM, &Scene::pressure, 100.0, NEEDED, NOT_NEEDED);    // Iv 0.01
+  Scene s = paste();
+  s.friction = 0.0;
+  expect_flip(SQUEEZE_FILM, &Scene::pressure, 1000.0, NEEDED, NOT_NEEDED, s);
+}
+
+TEST(SceneVerdict, FrictionNeedsCrowding)
+{
+  // (1 - phi/0.6301)^2 = 1.1 (1 - phi/0.5737)^2 at phi = 0.19117 for friction 0.5
+  const double jam = jamming_fraction(0.5), r = std::sqrt(1.1);
+  expect_flip(FRICTION_LAW, &Scene::phi, (r - 1.0) / (r / jam - 1.0 / 0.6301), NOT_NEEDED, NEEDED);
+  Scene s = paste();
+  s.friction = 0.0;
+  EXPECT_EQ(answer(s, FRICTION_LAW), NOT_NEEDED);
+  s = paste();
+  s.roughness = 0.0;    // smooth
+  EXPECT_EQ(answer(s, FRICTION_LAW), NOT_NEEDED);
+  s = paste();
+  s.dimension = 2.0;
+  EXPECT_EQ(answer(s, FRICTION_LAW), NEEDED);
+}
+
+TEST(SceneVerdict, CriticalLoadNeedsForcesOfItsSize)
+{
+  expect_flip(CRITICAL_LOAD, &Scene::critical, 400.0, NEEDED, NOT_NEEDED);    // P a^2/F = 0.05
+  expect_flip(CRITICAL_LOAD, &Scene::critical, 20.0 / 3.0, NOT_NEEDED, NEEDED);
+  Scene s = paste();
+  s.critical = 20.0;
+  EXPECT_EQ(answer(s, CRITICAL_LOAD), NEEDED);
+  s.friction = 0.0;
+  EXPECT_EQ(answer(s, CRITICAL_LOAD), NOT_NEEDED);
+}
+
+TEST(SceneVerdict, SurfaceForcesNeedATenthOfTheConfinement)
+{
+  expect_flip(ADHESION, &Scene::adhesion, 8.0, NOT_NEEDED, NEEDED);    // P d^2 = 80
+  expect_flip(REPULSION, &Scene::repulsion, 8.0, NOT_NEEDED, NEEDED);
+}
+
+TEST(SceneVerdict, FarFieldNeedsRoom)
+{
+  expect_flip(DRAG, &Scene::phi, 0.45, NEEDED, NOT_NEEDED);
+  expect_flip(FAR_HYDRODYNAMICS, &Scene::phi, 0.45, BEYOND, NOT_NEEDED);
+  Scene s = paste();
+  s.dimension = 2.0;
+  EXPECT_EQ(answer(s, FAR_HYDRODYNAMICS), CANNOT_TELL);
+}
+
+TEST(SceneVerdict, InertiaNeedsAStokesNumberOfTheOrderOfOne)
+{
+  expect_flip(INERTIA, &Scene::density, 0.5, NOT_NEEDED, NEEDED);
+}
+
+TEST(SceneVerdict, ComplianceShowsInSoftParticles)
+{
+  expect_flip(COMPLIANCE, &Scene::g, 2e5, NEEDED, NOT_NEEDED);    // E/P = 1e4
+}
+
+TEST(SceneVerdict, BrownianMotionNeedsSmallPecletNumbers)
+{
+  const double thermal = 6.0 * 3.14159265358979 / 1e3;
+  expect_flip(BROWNIAN_MOTION, &Scene::thermal, thermal, NOT_NEEDED, BEYOND);
+}
+
+TEST(SceneVerdict, FluidInertiaNeedsAReynoldsNumber)
+{
+  expect_flip(FLUID_INERTIA_EFFECT, &Scene::fluid_density, 0.1, NOT_NEEDED, BEYOND);
+}
+
+// --- warnings
+
+TEST(SceneVerdict, WarnsAtBothSidesOfTheThresholds)
+{
+  struct {
+    double Scene::*what;
+    double at;
+    bool above;
+    const char *word;
+  } const table[] = {{&Scene::g, 1e5, false, "crushed"},         // E eps/P = 50
+                     {&Scene::roughness, 0.02, true, "larger"},
+                     {&Scene::dt, 0.5, true, "near the stability limit"},
+                     {&Scene::dt, 1.0, true, "exceeds the stability limit"},
+                     {&Scene::box, 16.0, false, "box is small"},
+                     {&Scene::phi, 0.57369, true, "above jamming"}};
+  for (const auto &row : table) {
+    Scene s = paste();
+    s.*row.what = 0.999 * row.at;
+    EXPECT_EQ(warns(s, row.word), !row.above) << row.word;
+    s.*row.what = 1.001 * row.at;
+    EXPECT_EQ(warns(s, row.word), row.above) << row.word;
+  }
+}
+
+// --- the table
+
+TEST(SceneVerdict, ReasonsNameNumberThresholdAndSource)
+{
+  const std::string why = verdict(paste(), SQUEEZE_FILM).why;
+  EXPECT_NE(why.find("Iv = 0.05 > 0.01 [tests/validation/mu_of_iv"), std::string::npos) << why;
+}
+
+TEST(SceneVerdict, ManualQuotesEveryThreshold)
+{
+  std::ifstream file(SUSPENSION_MANUAL "/suspension_scene.rst");
+  std::stringstream all;
+  all << file.rdbuf();
+  const std::string page = all.str();
+  for (const Threshold &t : THRESHOLD) {
+    const std::string row = std::string(t.number) + "; " + show(t.value) + "; " + t.source;
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
+}
