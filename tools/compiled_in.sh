@@ -10,7 +10,7 @@ rm -f "$folder/finished"    # our sources change: always look again
 "$top/tools/build_lammps.sh" "$folder" -D CMAKE_PROJECT_lammps_INCLUDE="$top/cmake/suspension_in_lammps.cmake"
 
 help=$(LAMMPS_PLUGIN_PATH='' "$folder/lmp" -h)
-grep -hE '^(Pair|Fix|Compute)Style\(' "$top"/src/SUSPENSION/*.h | sed 's/.*(\(.*\),.*/\1/' | grep -v '^[A-Z]' | while read -r style; do
+grep -hE '^(Pair|Fix|Compute|Command)Style\(' "$top"/src/SUSPENSION/*.h | sed 's/.*(\(.*\),.*/\1/' | grep -v '^[A-Z]' | while read -r style; do
   grep -qwF "$style" <<<"$help" || die "$folder/lmp does not know $style"
   echo "compiled in: $style"
 done

@@ -25,11 +25,9 @@
 #include "neighbor.h"
 #include "pair_lubcontact.h"
 #include "scene_history.h"
+#include "scene_plugins.h"
 #include "update.h"
 #include "variable.h"
-#if defined(LMP_PLUGIN)
-#include "plugin.h"
-#endif
 
 #include <cstdio>
 #include <cstring>
@@ -38,35 +36,6 @@
 using namespace LAMMPS_NS;
 
 namespace {
-
-// Until 2026 the destructor of any LAMMPS unloads all plugins, those that other instances use and
-// the one that runs now: hide them meanwhile.
-class KeepPlugins {
- public:
-#if defined(LMP_PLUGIN)
-  explicit KeepPlugins(LAMMPS *user) : lmp(user)
-  {
-    for (int n = 0; n < plugin_get_num_plugins(); n++) plugins.push_back(*plugin_get_info(n));
-    for (const auto &plugin : plugins) plugin_erase(plugin.style, plugin.name);
-  }
-  ~KeepPlugins()
-  {
-    FILE *screen = lmp->screen, *logfile = lmp->logfile;
-    const int warned = lmp->error->get_numwarn();
-    lmp->screen = lmp->logfile = nullptr;    // it would report them as loaded again
-    for (auto &plugin : plugins) plugin_register(&plugin, lmp);
-    lmp->error->set_numwarn(warned);
-    lmp->screen = screen;
-    lmp->logfile = logfile;
-  }
-
- private:
-  LAMMPS *lmp;
-  std::vector<lammpsplugin_t> plugins;
-#else
-  explicit KeepPlugins(LAMMPS *) {}
-#endif
-};
 
 // a member of LAMMPS' own fixes that is protected
 struct Inertia : FixNVESphere {
@@ -81,10 +50,11 @@ struct Deformation : FixDeform {
       if (set[n].style != NONE) return false;
     return set[5].style != NONE && fix->remapflag == Domain::V_REMAP;
   }
-  static double rate(FixDeform *fix)
+  static double rate(FixDeform *fix, const Domain *domain)
   {
     const auto &tilt = (fix->*(&Deformation::set))[5];
-    return tilt.style == ERATE || tilt.style == ERATERS ? tilt.rate : 0.0;
+    if (tilt.style == ERATE || tilt.style == ERATERS) return tilt.rate;
+    return (tilt.style == VEL ? tilt.vel : domain->h_rate[5]) / domain->yprd;
   }
 };
 
@@ -112,6 +82,17 @@ bool watches(const Fix *fix, int mask)
 
 }    // namespace
 
+/* ----------------------------------------------------------------------
+   of fix deform; 0 without it, or if only a run will tell
+------------------------------------------------------------------------- */
+
+double SceneInstance::deform_rate(LAMMPS *lmp)
+{
+  for (const auto &fix : lmp->modify->get_fix_by_style("^deform$"))
+    return Deformation::rate(dynamic_cast<FixDeform *>(fix), lmp->domain);
+  return 0.0;
+}
+
 /* ---------------------------------------------------------------------- */
 
 SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
@@ -128,7 +109,7 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
                "Suspension_scene measure needs pair_style lubcontact alone, but the pair style is "
                "{}; {}",
                lmp->force->pair_style ? lmp->force->pair_style : "none", CURE);
-  if (lmp->neighbor->exclude)
+  if (lmp->neighbor->nex_type || lmp->neighbor->nex_group || lmp->neighbor->nex_mol)
     error->all(FLERR, "Suspension_scene measure cannot copy neigh_modify exclude; {}", CURE);
 
   const auto &fixes = lmp->modify->get_fix_list();
@@ -138,12 +119,10 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
       plan.movers.push_back(fix);
     } else if (utils::strmatch(fix->style, "^deform/rheometer$")) {
       plan.flow = fix;
-      plan.rate = fix->compute_vector(1);
     } else if (utils::strmatch(fix->style, "^deform$") &&
                Deformation::only_tilts(dynamic_cast<FixDeform *>(fix))) {
       plan.flow = fix;
-      plan.rate = Deformation::rate(dynamic_cast<FixDeform *>(fix));
-      if (plan.rate == 0.0) plan.rate = lmp->domain->h_rate[5] / lmp->domain->yprd;
+      plan.rate = deform_rate(lmp);
       if (plan.rate == 0.0)
         error->all(FLERR,
                    "Suspension_scene measure does not know the rate of fix {} before the first "

@@ -26,10 +26,11 @@ class SceneInstance {
   struct Plan {
     PairLubcontact *pair = nullptr;
     Fix *flow = nullptr;    // deform/rheometer, or deform of the tilt xy
-    double rate = 0.0;      // now
+    double rate = 0.0;      // of deform
     std::vector<Fix *> movers;
   };
   static Plan plan(LAMMPS *);
+  static double deform_rate(LAMMPS *);
 
   SceneInstance(LAMMPS *, const Plan &, const std::vector<std::string> &without);
   ~SceneInstance();

@@ -19,6 +19,7 @@
 #include "modify.h"
 #include "pair_lubcontact.h"
 #include "rheometer_target.h"
+#include "scene_instance.h"
 #include "scene_verdict.h"
 #include "update.h"
 
@@ -105,7 +106,7 @@ void SuspensionScene::parse(int narg, char **arg)
     if (iarg + 1 >= narg)
       utils::missing_cmd_args(FLERR, fmt::format("suspension_scene {}", arg[iarg]), error);
     const double value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-    if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !found->zero))
+    if (!(value >= 0.0) || (value == 0.0 && !found->zero))
       error->all(FLERR, iarg + 1, "Suspension_scene {} must be {} 0, but is {}", arg[iarg],
                  found->zero ? ">=" : ">", arg[iarg + 1]);
     *found->value = value * found->unit;
@@ -205,8 +206,8 @@ void SuspensionScene::read_flow()
     scene->rate = known(now.rate) ? now.rate : now.iv * scene->pressure / scene->viscosity;
     return;
   }
-  if (domain->deform_flag && domain->triclinic && domain->h_rate[5] != 0.0)
-    scene->rate = domain->h_rate[5] / domain->yprd;
+  const double rate = SceneInstance::deform_rate(lmp);
+  if (rate != 0.0) scene->rate = rate;
 }
 
 /* ----------------------------------------------------------------------

@@ -29,6 +29,7 @@ struct Verdict;
 }    // namespace scene
 
 namespace LAMMPS_NS {
+class PairLubcontact;
 
 // Only reads the system.
 class SuspensionScene : public Command {
@@ -40,7 +41,7 @@ class SuspensionScene : public Command {
  protected:
   // advice from the numbers of the scene
   std::unique_ptr<scene::Scene> scene;
-  class PairLubcontact *pair;    // or null
+  PairLubcontact *pair;    // or null
   bool walls;
   void parse(int, char **);
   void read_particles();
@@ -55,6 +56,7 @@ class SuspensionScene : public Command {
   // advice from a run of a copy
   struct Measured;
   void measure(int, char **);
+  std::string leave_out_in_turn(const PairLubcontact *, int, double) const;
   Measured run_copy(int, const std::vector<std::string> &) const;
 };
 

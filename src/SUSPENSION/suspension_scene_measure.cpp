@@ -31,6 +31,8 @@ using namespace LAMMPS_NS;
 
 static constexpr int BLOCKS = 10;    // of a run; the second half counts
 static constexpr int COUNTED = 5;
+static constexpr int PATH = 8;    // sum of |strain| in the output of fix deform/rheometer
+static constexpr char COLUMNS[] = "  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n";
 
 // where an effect shows: rows of compute stress/partition and of compute power/partition
 struct Rows {
@@ -48,6 +50,7 @@ struct SuspensionScene::Measured {
   double stress[COUNTED] = {}, pressure[COUNTED] = {};
   std::vector<double> parts, power;    // rows of the partitions; no power without its compute
   double seconds = 0.0;                // of CPU a step
+  double strain = 0.0;
   bool history_kept = true;
 };
 
@@ -92,6 +95,11 @@ void add(const std::vector<double> &x, std::vector<double> &sum)
 {
   sum.resize(x.size());
   for (std::size_t n = 0; n < x.size(); n++) sum[n] += x[n];
+}
+
+Fix *there(const SceneInstance &copy, const Fix *fix)
+{
+  return copy.lmp->modify->get_fix_by_id(fix->id);
 }
 
 double share(const std::vector<double> &parts, int row)
@@ -160,7 +168,8 @@ class Sampler {
 SuspensionScene::Measured SuspensionScene::run_copy(int nsteps,
                                                     const std::vector<std::string> &without) const
 {
-  const SceneInstance copy(lmp, SceneInstance::plan(lmp), without);
+  const SceneInstance::Plan plan = SceneInstance::plan(lmp);
+  const SceneInstance copy(lmp, plan, without);
   const int block = nsteps / BLOCKS, every = MIN(block, 10);
   const bigint start = copy.lmp->update->ntimestep;
   Sampler sampler(copy, every);
@@ -169,6 +178,9 @@ SuspensionScene::Measured SuspensionScene::run_copy(int nsteps,
 
   Measured result;
   result.history_kept = copy.history_kept;
+  result.strain = fabs(plan.rate) * nsteps * update->dt;
+  if (plan.rate == 0.0)
+    result.strain = there(copy, plan.flow)->compute_vector(PATH) - plan.flow->compute_vector(PATH);
   const double mine = copy.lmp->timer->get_cpu(Timer::TOTAL) / nsteps;
   MPI_Allreduce(&mine, &result.seconds, 1, MPI_DOUBLE, MPI_MAX, world);
   for (int b = 0; b < COUNTED; b++) {
@@ -207,54 +219,73 @@ void SuspensionScene::measure(int narg, char **arg)
                  arg[iarg + 1]);
   }
 
-  const SceneInstance::Plan plan = SceneInstance::plan(lmp);
-  const PairLubcontact *style = plan.pair;
+  const PairLubcontact *style = SceneInstance::plan(lmp).pair;
   std::string text;
   try {
-    const Measured all = run_copy(nsteps, {});
-    const Mean stress = mean(all.stress), pressure = mean(all.pressure);
-    const double strain = fabs(plan.rate) * nsteps * update->dt;
-    text = fmt::format("Suspension scene: {} steps of a copy, strain {:.4g}, means of the second "
-                       "half\n",
-                       nsteps, strain);
-    if (!all.history_kept)
-      text += "  the pairs had no history yet: films and springs have built up in the first half\n";
-    text +=
-        fmt::format("  as it is: stress xy {:.6g} +- {:.2g}, pressure yy {:.6g} +- {:.2g}, "
-                    "{:.4g} microseconds of CPU a step\n",
-                    stress.value, stress.error, pressure.value, pressure.error, 1e6 * all.seconds);
-    text += fmt::format("  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n", "left out", "of stress",
-                        "of power", "change of stress", "of pressure", "time saved");
-
-    std::vector<std::string> idle;
-    auto line = [&](const std::string &name, const Measured &one, double part, double power) {
-      const Mean by_stress = change(one.stress, all.stress);
-      const Mean by_pressure = change(one.pressure, all.pressure);
-      text += fmt::format("  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n", name, percent(part),
-                          percent(power), percent(by_stress), percent(by_pressure),
-                          percent(1.0 - one.seconds / all.seconds));
-      return fabs(by_stress.value) + 2.0 * by_stress.error < limit &&
-          fabs(by_pressure.value) + 2.0 * by_pressure.error < limit;
-    };
-    for (const Rows &row : ROWS) {
-      if (!style->uses(row.effect)) continue;
-      const Measured one = run_copy(nsteps, {row.effect});
-      if (line(row.effect, one, share(all.parts, row.stress), share(all.power, row.power)))
-        idle.push_back(row.effect);
-    }
-    if (idle.size() > 1) line("all of these", run_copy(nsteps, idle), NAN, NAN);
-
-    text += fmt::format("Deck lines to use: changes below {} left out\n", percent(limit));
-    text += "  pair_style " + style->settings_text(idle) + "\n";
-    for (const auto &effect : idle)
-      if (effect == "friction") text += "  pair_coeff ... friction none\n";
-    if (strain < 1.0)
-      text += "  # a strain below 1 shows what an effect does at once, not the structure that "
-              "forms without it\n";
+    text = leave_out_in_turn(style, nsteps, limit);
   } catch (LAMMPSAbortException &e) {
-    error->one(FLERR, "Suspension_scene measure: {}", e.what());
+    error->one(FLERR, "Suspension_scene measure, in its copy: {}", e.what());
   } catch (LAMMPSException &e) {
-    error->all(FLERR, "Suspension_scene measure: {}", e.what());
+    error->all(FLERR, "Suspension_scene measure, in its copy: {}", e.what());
   }
   if (comm->me == 0) utils::logmesg(lmp, text);
+}
+
+/* ----------------------------------------------------------------------
+   one line of the table per effect, then the advice
+------------------------------------------------------------------------- */
+
+std::string SuspensionScene::leave_out_in_turn(const PairLubcontact *style, int nsteps,
+                                               double limit) const
+{
+  const Measured all = run_copy(nsteps, {});
+  const Mean stress = mean(all.stress), pressure = mean(all.pressure);
+  std::string text =
+      fmt::format("Suspension scene: {} steps of a copy, strain {:.4g}, means of the second half\n",
+                  nsteps, all.strain);
+  if (!all.history_kept)
+    text += "  the pairs had no history yet: films and springs have built up in the first half\n";
+  text +=
+      fmt::format("  as it is: stress xy {:.6g} +- {:.2g}, pressure yy {:.6g} +- {:.2g}, "
+                  "{:.4g} microseconds of CPU a step\n",
+                  stress.value, stress.error, pressure.value, pressure.error, 1e6 * all.seconds);
+  text += fmt::format(COLUMNS, "left out", "of stress", "of power", "change of stress",
+                      "of pressure", "time saved");
+
+  std::vector<std::string> idle;
+  std::string undecided;
+  for (const Rows &row : ROWS) {
+    if (!style->uses(row.effect)) continue;
+    const Measured one = run_copy(nsteps, {row.effect});
+    const Mean by[2] = {change(one.stress, all.stress), change(one.pressure, all.pressure)};
+    text += fmt::format(COLUMNS, row.effect, percent(share(all.parts, row.stress)),
+                        percent(share(all.power, row.power)), percent(by[0]), percent(by[1]),
+                        percent(1.0 - one.seconds / all.seconds));
+    auto below = [&by, limit](double sign) {
+      return fabs(by[0].value) + sign * 2.0 * by[0].error < limit &&
+          fabs(by[1].value) + sign * 2.0 * by[1].error < limit;
+    };
+    if (below(1.0))
+      idle.emplace_back(row.effect);
+    else if (below(-1.0))
+      undecided += std::string(" ") + row.effect;
+  }
+  if (idle.size() > 1) {
+    const Measured one = run_copy(nsteps, idle);
+    text += fmt::format(COLUMNS, "all of these", "-", "-", percent(change(one.stress, all.stress)),
+                        percent(change(one.pressure, all.pressure)),
+                        percent(1.0 - one.seconds / all.seconds));
+  }
+
+  text += fmt::format("Deck lines to use: changes below {} left out\n", percent(limit));
+  text += "  pair_style " + style->settings_text(idle) + "\n";
+  for (const auto &effect : idle)
+    if (effect == "friction") text += "  pair_coeff ... friction none\n";
+  if (!undecided.empty())
+    text += fmt::format("  # within its scatter undecided:{}; more steps or particles tell\n",
+                        undecided);
+  if (all.strain < 1.0)
+    text += "  # a strain below 1 shows what an effect does at once, not the structure that "
+            "forms without it\n";
+  return text;
 }

@@ -1,0 +1,118 @@
+"""The advice of suspension_scene for known scenes: numbers by hand, and which effects they call for."""
+import re
+
+import numpy as np
+
+import deck
+
+EFFECTS = ("squeeze film", "shear film", "rolling film", "twisting film", "friction", "critical load", "adhesion", "repulsion",
+           "drag", "particle inertia", "roughness", "elastic compliance", "Brownian motion", "far hydrodynamics", "fluid inertia")
+ANSWERS = "needed|not needed|beyond this package|cannot tell"
+
+
+class Advice:
+    def __init__(self, **variables):
+        self.text = deck.run("in.scene_advice", **variables).text
+        self.text = self.text[self.text.index("Suspension scene: what is there"):]
+        self.answers = {e: re.search(rf"^  {e} +({ANSWERS}) ", self.text, re.MULTILINE).group(1) for e in EFFECTS}
+        self.lines = self.text[self.text.index("Deck lines to use"):]
+
+    def number(self, name):
+        value = re.search(rf"^  {re.escape(name)}.*? (\S+)$", self.text, re.MULTILINE).group(1)
+        return float("nan") if value == "?" else float(value)
+
+    def expect(self, scene, **answers):
+        for effect, answer in answers.items():
+            effect = effect.replace("_", " ")
+            deck.expect(f"{scene}: {effect} is {answer}", self.answers[effect] == answer, self.answers[effect])
+
+    def warns(self, scene, *words):
+        found = re.findall(r"^  warning: (.*)$", self.text, re.MULTILINE)
+        deck.expect(f"{scene}: {len(words)} warnings", len(found) == len(words), str(found))
+        for word in words:
+            deck.expect(f"  {word}", any(word in line for line in found))
+
+
+deck.make_state()
+with open("state.data", encoding="ascii") as file:
+    data = file.read()
+length = float(re.search(r"^\S+ (\S+) xlo xhi", data, re.MULTILINE).group(1))
+rows = data[data.index("Atoms"):data.index("Velocities")].split("\n")[2:-1]
+radii = np.array([float(row.split()[2]) / 2 for row in rows if row])
+a = radii.mean()
+phi = (4 / 3 * np.pi * radii**3).sum() / length**3
+
+# dense and viscous, at constant volume, before the first run: the pressure is estimated
+scene = Advice()
+jam = 0.6301 - 0.0794 * (1 - np.exp(-0.5 / 0.4032))
+iv = (jam / phi - 1)**2
+for name, value in (("St", 0.05 * a**2), ("Iv", iv), ("I =", 2 * a * np.sqrt(0.05 * iv)), ("Ca", a / 1e6), ("E/P", 1e6 * iv / a),
+                    ("E eps/P", 1e4 * iv / a), ("phi/phi_m", phi / jam), ("K =", iv + 0.4 * a**2 * 0.05 * iv)):
+    deck.expect_close(f"dense: {name}", scene.number(name), value, rtol=6e-3)
+deck.expect("the pressure is estimated", "(estimated from phi)" in scene.text)
+deck.expect("no temperature, no Pe", np.isnan(scene.number("Pe")))
+scene.expect("dense", squeeze_film="needed", shear_film="needed", rolling_film="needed", twisting_film="not needed",
+             friction="needed", critical_load="cannot tell", drag="not needed", particle_inertia="not needed", roughness="needed",
+             Brownian_motion="cannot tell", far_hydrodynamics="not needed", fluid_inertia="cannot tell")
+scene.warns("dense", "box is small")
+deck.expect("dense: deck lines", "  pair_style lubcontact 1 cut 0.5 twist no\n  pair_coeff * * 1000000 1000000 roughness 0.01 "
+            "friction coulomb 0.5\n" in scene.lines, scene.lines)
+# Gershgorin with 12 neighbors of the smallest sphere
+limit = 2 / np.sqrt(2 * 12 * 3.5e6 / (4 / 3 * np.pi * radii.min()**3 * 0.05))
+deck.expect_close("dense: limit of the time step", float(re.search(r"limit (\S+) \(estimated", scene.text).group(1)), limit, rtol=6e-3)
+
+# after a run the limit is the one that the pair style prints, and the pressure is measured
+scene = Advice(before="run 20")
+run = deck.run("in.scene_advice", before="run 20")
+printed = re.search(r"of the stability limit (\S+)\n  shear rate", run.text).group(1)
+deck.expect_close("after a run: limit of the time step", float(re.search(r"limit (\S+)$", scene.text, re.MULTILINE).group(1)),
+                  float(printed), rtol=6e-3)
+deck.expect("after a run: the pressure is measured", "estimated" not in scene.text)
+
+# the same at an imposed pressure, viscous number, and with a temperature: kT = T in these units
+scene = Advice(flow="fix flow all deform/rheometer iv 0.2 pressure 5.0", words="temperature 0.01 fluid_density 0.3 critical 50 repulsion 0.1 adhesion 30")
+deck.expect_close("iv: rate", float(re.search(r"rate ([^ ,]+), pressure 5$", scene.text, re.MULTILINE).group(1)), 1.0, rtol=1e-6)
+deck.expect_close("iv: Pe", scene.number("Pe"), 600 * np.pi * a**3, rtol=6e-3)
+deck.expect_close("iv: Re", scene.number("Re"), 0.3 * a**2, rtol=6e-3)
+scene.expect("iv", Brownian_motion="not needed", fluid_inertia="beyond this package", critical_load="needed", repulsion="not needed",
+             adhesion="needed")
+scene = Advice(words="temperature 0.1")
+scene.expect("warm", Brownian_motion="beyond this package")
+
+# dry grains
+scene = Advice(viscosity=0.0, flow="fix flow all deform/rheometer rate 1.0 pressure 100 viscosity 0")
+scene.expect("dry", squeeze_film="not needed", shear_film="not needed", rolling_film="not needed", twisting_film="not needed",
+             friction="needed", particle_inertia="needed", roughness="not needed", drag="not needed")
+deck.expect("dry: deck lines", "pair_style lubcontact 0 cut 0.5 squeeze no shear no roll no twist no\n" in scene.lines, scene.lines)
+
+# dilute
+scene = Advice(scale=1.4)
+scene.expect("dilute", drag="needed", far_hydrodynamics="beyond this package", friction="not needed")
+deck.expect("dilute: deck lines", "fix drag all drag/background 1 shear 1\n" in scene.lines and "roughness 0.01\n" in scene.lines,
+            scene.lines)
+
+# inertial, and so much that the films are idle
+Advice(density=5.0).expect("inertial", particle_inertia="needed", squeeze_film="needed")
+Advice(density=5000.0, dt=1e-3).expect("collisional", particle_inertia="needed", squeeze_film="not needed", shear_film="not needed")
+
+# soft, with a long time step
+scene = Advice(g=1e3, dt=1e-2)
+scene.expect("soft", elastic_compliance="needed")
+scene.warns("soft", "asperities are crushed flat", "the time step exceeds", "box is small")
+deck.expect("soft: a shorter step", re.search(r"^  timestep \S+$", scene.lines, re.MULTILINE) is not None)
+
+# quasi-static: squeeze films carry nothing
+Advice(flow="fix flow all deform/rheometer rate 1e-3 pressure 1.0").expect("slow", squeeze_film="not needed", shear_film="needed")
+
+# fix deform knows some rates at once, others after a run; another pair style, with all in words
+for deform, before in (("erate 2.0", "print none"), (f"vel {2 * length}", "print none"), ("variable v_tilt v_speed", "run 1")):
+    scene = Advice(flow=f"fix flow all deform 1 xy {deform} units box remap v", before=before)
+    deck.expect_close(f"fix deform {deform}: St", scene.number("St"), 0.1 * a**2, rtol=6e-3)
+scene = Advice(flow="fix flow all deform 1 xy variable v_tilt v_speed remap v")
+deck.expect("fix deform variable: no rate yet", np.isnan(scene.number("St")))
+scene = Advice(style="zero", flow="print none", words="viscosity 2 rate 3 pressure 60 stiffness 1e7 roughness 0.01 friction 0.3")
+deck.expect_close("words: St", scene.number("St"), 0.075 * a**2, rtol=6e-3)
+deck.expect_close("words: Iv", scene.number("Iv"), 0.1, rtol=6e-3)
+deck.expect("words: deck lines", "  pair_style lubcontact 2 cut 0.5 twist no\n" in scene.lines, scene.lines)
+deck.expect("nothing known", set(Advice(style="zero", flow="print none").answers.values()) == {"cannot tell"})
+deck.finish()
