@@ -269,7 +269,7 @@ std::string SuspensionScene::describe(const Numbers &n) const
   text += "Dimensionless numbers\n";
   const std::pair<const char *, double> table[] = {
       {"St = rho a^2 rate/eta", n.St},   {"Iv = eta rate/P", n.Iv},
-      {"I = d rate sqrt(rho/P)", n.I},   {"K = Iv + I^2/10", n.K},
+      {"I = d rate sqrt(rho/P)", n.I},   {"Iv + I^2/10", n.K},
       {"Ca = eta rate/E", n.Ca},         {"E/P, E = g/a", n.stiffness},
       {"E eps/P", n.crushing},           {"Pe = 6 pi eta a^3 rate/kT", n.Pe},
       {"Re = rho_f a^2 rate/eta", n.Re}, {"phi/phi_m of the friction", s.phi / n.phi_jam}};
