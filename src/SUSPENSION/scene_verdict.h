@@ -49,13 +49,13 @@ inline constexpr Threshold THRESHOLD[NUM_LIMITS] = {
     {"F/(P d^2)", 0.1, "estimate: a tenth of the confining force on a particle"},
     {"phi", 0.45, "examples/shear_rate: law met at 0.45, viscosity 20 % low at 0.40, 40 % at 0.30"},
     {"4 St", 2.0,
-     "examples/shear_rate: no change up to St 0.5; Tapia et al., Phys. Rev. Lett. 129, "
+     "examples/shear_rate: no change up to St 0.5, and Tapia et al., Phys. Rev. Lett. 129, "
      "078001 (2022): transition at 10"},
     {"eps", 0.02, "examples/shear_rate: no change from 0.003 to 0.02, viscosity doubled at 0.05"},
     {"E eps/P", 50.0,
      "examples/shear_rate: no change at 70, viscosity +9 to +26 % at 24, +74 % at 2.4"},
     {"E/P", 1e4,
-     "tests/validation/mu_of_iv: laws of hard spheres met; da Cruz et al., Phys. Rev. E "
+     "tests/validation/mu_of_iv: laws of hard spheres met, and da Cruz et al., Phys. Rev. E "
      "72, 021309 (2005)"},
     {"Pe", 1e3, "Foss and Brady, J. Fluid Mech. 407, 167 (2000)"},
     {"Re", 0.1, "Picano et al., Phys. Rev. Lett. 111, 098302 (2013)"},
