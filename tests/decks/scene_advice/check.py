@@ -114,5 +114,14 @@ scene = Advice(style="zero", flow="print none", words="viscosity 2 rate 3 pressu
 deck.expect_close("words: St", scene.number("St"), 0.075 * a**2, rtol=6e-3)
 deck.expect_close("words: Iv", scene.number("Iv ="), 0.1, rtol=6e-3)
 deck.expect("words: deck lines", "  pair_style lubcontact 2 cut 0.5 twist no\n" in scene.lines, scene.lines)
+
+# units in which pressure, energy and mass need factors: kcal/mol/A^3 to atm, (g/mol)(A/fs)^2 to kcal/mol, K to kcal/mol
+scene = Advice(units="real", style="zero", flow="print none", density=3.0, words="viscosity 2 rate 3e-2 pressure 60 stiffness 1e7 "
+               "temperature 300 fluid_density 1.5")
+for name, value in (("St", 2390.057 * 3 * a**2 * 0.015), ("Iv =", 0.06 * 68568.415 / 60), ("E/P", 1e7 / a * 68568.415 / 60),
+                    ("I =", 2 * a * 0.03 * np.sqrt(2390.057 * 3 * 68568.415 / 60)), ("Re", 2390.057 * 1.5 * a**2 * 0.015),
+                    ("Pe", 6 * np.pi * a**3 * 0.06 / (0.0019872067 * 300))):
+    deck.expect_close(f"units real: {name}", scene.number(name), value, rtol=6e-3)
+deck.expect("units real: density and pressure as given", ", density 3\n" in scene.text and ", pressure 60\n" in scene.text)
 deck.expect("nothing known", set(Advice(style="zero", flow="print none").answers.values()) == {"cannot tell"})
 deck.finish()

@@ -9,7 +9,7 @@ import deck
 
 PRESSED = "deform/rheometer rate 1.0 pressure 30.0"
 LAMMPS = "deform 1 xy erate 1.0 remap v"
-FILES = ("dump", "samples", "mean", "data")
+FILES = ("dump", "samples", "mean", "data", "restart")
 
 
 def blocks(out):
@@ -46,7 +46,8 @@ for name, case in cases:
     for a, b in zip(yes.tables(), no.tables()):
         deck.expect(f"{name}: thermo is the same", all(np.array_equal(a[key], b[key]) for key in b))
     deck.expect("  both runs", len(yes.tables()) == len(no.tables()) == 2)
-    deck.expect("the plugin is still there", "command style plugin suspension_scene" in yes.text)
+    lists = re.findall(r"^Currently loaded plugins.*\n((?: +[0-9]+: .*\n)*)", yes.text, re.MULTILINE)
+    deck.expect("  plugins are still there", len(lists) == 2 and lists[0] == lists[1], lists[-1])
 
     # the copy as it is runs as the run itself goes on
     text, plain = yes.text[yes.text.index("steps of a copy"):], blocks("no")
