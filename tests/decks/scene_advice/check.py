@@ -11,8 +11,9 @@ ANSWERS = "needed|not needed|beyond this package|cannot tell"
 
 
 class Advice:
-    def __init__(self, **variables):
-        self.text = deck.run("in.scene_advice", **variables).text
+    def __init__(self, name="in.scene_advice", **variables):
+        run = deck.run(name, **variables)
+        self.text, self.values = run.text, run.values
         self.text = self.text[self.text.index("Suspension scene: what is there"):]
         self.answers = {e: re.search(rf"^  {e} +({ANSWERS}) ", self.text, re.MULTILINE).group(1) for e in EFFECTS}
         self.lines = self.text[self.text.index("Deck lines to use"):]
@@ -123,5 +124,15 @@ for name, value in (("St", 2390.057 * 3 * a**2 * 0.015), ("Iv =", 0.06 * 68568.4
                     ("Pe", 6 * np.pi * a**3 * 0.06 / (0.0019872067 * 300))):
     deck.expect_close(f"units real: {name}", scene.number(name), value, rtol=6e-3)
 deck.expect("units real: density and pressure as given", ", density 3\n" in scene.text and ", pressure 60\n" in scene.text)
+
+# plates: rate and volume fraction of the fix, its pressure, imposed or measured
+for load in ("pressure 5", "gap"):
+    scene = Advice("in.plates", load=load)
+    shown = [float(x) for x in re.search(r"viscosity 1, rate (\S+), pressure (\S+)", scene.text).groups()]
+    expected = [0.5, 5.0 if load != "gap" else scene.values["measured"]]
+    deck.expect_close(f"plates, {load}: rate and pressure", shown, expected, rtol=6e-3)
+    deck.expect_close(f"plates, {load}: volume fraction", float(re.search(r"box +phi ([^ ,]+),", scene.text).group(1)),
+                      scene.values["phi"], rtol=6e-3)
+    deck.expect("  walls", ", walls\n" in scene.text)
 deck.expect("nothing known", set(Advice(style="zero", flow="print none").answers.values()) == {"cannot tell"})
 deck.finish()
