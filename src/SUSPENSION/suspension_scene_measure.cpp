@@ -224,9 +224,9 @@ void SuspensionScene::measure(int narg, char **arg)
   try {
     text = leave_out_in_turn(style, nsteps, limit);
   } catch (LAMMPSAbortException &e) {
-    error->one(FLERR, "Suspension_scene measure, in its copy: {}", e.what());
+    error->one(FLERR, "Suspension_scene measure, in its copy: {}", utils::trim(e.what()));
   } catch (LAMMPSException &e) {
-    error->all(FLERR, "Suspension_scene measure, in its copy: {}", e.what());
+    error->all(FLERR, "Suspension_scene measure, in its copy: {}", utils::trim(e.what()));
   }
   if (comm->me == 0) utils::logmesg(lmp, text);
 }
