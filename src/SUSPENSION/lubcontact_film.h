@@ -18,8 +18,9 @@ namespace lubcontact {
 static constexpr double PI = 3.14159265358979323846;
 
 // Which pairs are lubricated, and how it ends: CUT un < range*a, forces as they are;
-// SHIFTED: minus their resistance at the end of the range, where they vanish.
-enum class Range { CUT, SHIFTED };
+// SHIFTED: minus their resistance at the end of the range, where they vanish; VORONOI: CUT, but only
+// pairs that share a face of the tessellation.
+enum class Range { CUT, SHIFTED, VORONOI };
 
 struct Film {
   double viscosity;     // of the fluid, pressure*time

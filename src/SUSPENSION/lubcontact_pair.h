@@ -25,6 +25,13 @@ struct PairCoeffs {    // of a pair of types
   Threshold threshold{};
 };
 
+// Surfaces that are closer, over a, may hold each other without any film: ADHESION stretches the bulk.
+inline double touching_gap(const PairCoeffs &c)
+{
+  const GapLaw &law = c.normal.gap;
+  return law.eps + (1.0 + law.alpha) * larger(0.0, law.release - law.eps);
+}
+
 struct Load {
   double contact;    // normal forces on i along n: of the asperities, of the squeeze film,
   double film;

@@ -111,7 +111,10 @@ void PairLubcontact::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
   update_viscosity();
-  if (neighbor->ago == 0) check_radii();
+  if (neighbor->ago == 0) {
+    check_radii();
+    tessellate();
+  }
   start_partition();
   (this->*eval)();
 }
@@ -168,6 +171,7 @@ void PairLubcontact::init_style()
                         NeighConst::REQ_DEFAULT | (size_history ? NeighConst::REQ_HISTORY : 0));
   require_history();
   find_max_radius();
+  request_ghosts();
   longest = 0.0;    // init_one() comes next
   clients = modify->get_compute_by_style("^stress/partition$");
   atom_clients = modify->get_compute_by_style("^stress/partition/atom");
@@ -293,5 +297,6 @@ double PairLubcontact::memory_usage()
 {
   const double n = atom->ntypes + 1.0;
   return Pair::memory_usage() + n * n * (10 * sizeof(double) + sizeof(int) + sizeof(PairCoeffs)) +
-      partition_atom.capacity() * sizeof(partition_atom[0]);
+      partition_atom.capacity() * sizeof(partition_atom[0]) + faces.capacity() +
+      first_face.capacity() * sizeof(first_face[0]);
 }

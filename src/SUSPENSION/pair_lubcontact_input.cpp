@@ -81,8 +81,12 @@ void PairLubcontact::settings(int narg, char **arg)
     range_rule = static_cast<int>(lubcontact::Range::CUT);
   else if (strcmp(arg[1], "shifted") == 0)
     range_rule = static_cast<int>(lubcontact::Range::SHIFTED);
+  else if (strcmp(arg[1], "voronoi") == 0)
+    range_rule = static_cast<int>(lubcontact::Range::VORONOI);
   else
-    error->all(FLERR, 2, "Pair style lubcontact range must be cut or shifted, but is {}", arg[1]);
+    error->all(FLERR, 2, "Pair style lubcontact range must be cut or shifted or voronoi, but is {}",
+               arg[1]);
+  if (range_rule == static_cast<int>(lubcontact::Range::VORONOI)) require_voronoi(2);
   hc = utils::numeric(FLERR, arg[2], false, lmp);
   if (!(hc > 0.0))
     error->all(FLERR, 3, "Pair style lubcontact range must be > 0 effective radii, but is {}", hc);

@@ -83,6 +83,7 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
     const double ri = radius[i];
     const PairCoeffs *coeffs_i = coeffs[type[i]];
     const double *reach_i = reach[type[i]];
+    const char *faces_i = faces_of(i);
 
     for (int jj = 0; jj < jnum; jj++) {
       const int j = jlist[jj] & NEIGHMASK;
@@ -100,6 +101,10 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
         a = lubcontact::effective_radius(rule, ri, radius[j]);
         const double end = radsum + reach_i[jtype] * a;
         near = rsq < end * end;
+        if (faces_i && !faces_i[jj]) {
+          const double touch = radsum + touching_gap(coeffs_i[jtype]) * a;
+          near = rsq < touch * touch;
+        }
       }
       if (!near) {
         if (SIZE) known[jj] = 0;

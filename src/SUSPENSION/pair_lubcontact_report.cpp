@@ -107,6 +107,7 @@ double PairLubcontact::sum_stiffness(double tangential, double each)
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     const double *xi = atom->x[i];
+    const char *faces_i = faces_of(i);
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       const int itype = atom->type[i], jtype = atom->type[j];
@@ -115,6 +116,8 @@ double PairLubcontact::sum_stiffness(double tangential, double each)
       const auto geometry =
           lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
       if (geometry.un >= reach[itype][jtype] * a) continue;
+      if (faces_i && !faces_i[jj] && geometry.un >= touching_gap(coeffs[itype][jtype]) * a)
+        continue;
       const double k = each > 0.0 ? each : MAX(g[itype][jtype], tangential * kt[itype][jtype]);
       stiffness[i] += k;
       stiffness[j] += k;
@@ -172,6 +175,7 @@ void PairLubcontact::setup()
 {
   check_box();
   update_viscosity();
+  tessellate();
   const double mine = sum_stiffness(SLIDING, 0.0);
   double pairs;
   MPI_Allreduce(&mine, &pairs, 1, MPI_DOUBLE, MPI_SUM, world);
@@ -225,6 +229,7 @@ void PairLubcontact::report(double pairs, double limit)
   auto yes = [](bool on) {
     return on ? "yes" : "no";
   };
+  static constexpr const char *range_name[] = {"cut", "shifted", "voronoi"};
   std::string text = "Pair style lubcontact: what this run simulates\n";
   text += fmt::format("  squeeze film   {}{}\n", yes(mode[SQUEEZE]),
                       mode[SQUEEZE] ? (euler ? ", gap euler" : ", gap exponential") : "");
@@ -236,7 +241,7 @@ void PairLubcontact::report(double pairs, double limit)
   text += fmt::format("  adhesion       {}\n", yes(mask & lubcontact::ADHESION));
   text += fmt::format("  repulsion      {}\n", yes(mask & lubcontact::REPULSION));
   text += fmt::format("  range          {} {:.6g} effective radii, radius {}\n",
-                      range_rule ? "shifted" : "cut", hc, radius_rule ? "harmonic" : "mean");
+                      range_name[range_rule], hc, radius_rule ? "harmonic" : "mean");
   text += fmt::format("  viscosity      {:.6g}{}\n", eta,
                       eta_name ? fmt::format(" now, variable {}", eta_name)
                                : (eta == 0.0 ? ": dry grains" : ""));
