@@ -106,6 +106,8 @@ for what, steps, every, gap, contact, film in (("screened", 400, 100000, 0.2, 0,
 # two spheres far apart, half screened by a third, next to a boundary: what is beyond decides
 text = deck.run("in.void", cutoff=0.0, fails=True).text
 deck.expect("voids: the error names the cure", "between atoms" not in text and "use: comm_modify cutoff" in text)
+beyond = deck.run("in.void", cutoff=0.0, third=18.5, fails=True).text
+deck.expect("  also if all of the face is beyond the ghosts", "use: comm_modify cutoff" in beyond)
 cure = float(text.split("use: comm_modify cutoff")[1].split()[0])
 for y, pairs in ((5.0, 4), (12.0, 3)):
     text = deck.run("in.void", cutoff=cure, y=y).text

@@ -17,9 +17,9 @@ import rheology    # noqa: E402  pylint: disable=wrong-import-position
 TABLE = HERE / "results.csv"
 FIELDS = ["phi", "rule", "reach", "seed", "eta_r", "error", "contact_n", "contact_t", "film_n", "film_t", "sxx", "syy",
           "szz", "cpu"]
-RANGES = [("cut", "0.5"), ("voronoi", "1.5"), ("shifted", "1"), ("shifted", "1.5"), ("cut", "1"), ("voronoi", "1"),
-          ("voronoi", "3"), ("shifted", "2"), ("shifted", "0.5"), ("cut", "0.25")]
-FRACTIONS = ["0.5", "0.45", "0.4", "0.54"]
+RANGES = [("cut", "0.5"), ("cut", "0.25"), ("shifted", "1"), ("cut", "1"), ("voronoi", "1.5"), ("shifted", "1.5"),
+          ("voronoi", "1"), ("shifted", "0.5"), ("voronoi", "3"), ("shifted", "2")]
+FRACTIONS = ["0.4", "0.54", "0.45", "0.5"]
 TRANSIENT = 1.5    # strain left out
 
 
@@ -42,7 +42,7 @@ def main():
     args = parser.parse_args()
     rows = list(csv.DictReader(TABLE.open(encoding="ascii"))) if TABLE.exists() else []
     done = {tuple(row[f] for f in FIELDS[:4]) for row in rows}
-    for case in [(phi, *which, seed) for seed in args.seeds for phi in FRACTIONS for which in RANGES]:
+    for case in [(phi, *which, seed) for seed in args.seeds for which in RANGES for phi in FRACTIONS]:
         if case in done:
             continue
         rows.append(measure(*case, args.particles, args.strain))
