@@ -135,6 +135,7 @@ class PairLubcontact : public Pair {
   std::vector<char> faces;
   std::vector<std::size_t> first_face;    // of each owned atom
   const char *faces_of(int i) const { return faces.empty() ? nullptr : &faces[first_face[i]]; }
+  int set_range(int, char **);
   void require_voronoi(int);
   void request_ghosts();
   void tessellate();

@@ -60,12 +60,44 @@ void PairLubcontact::allocate()
 }
 
 /* ----------------------------------------------------------------------
+   range: rule and reach, or the word default; returns the place of the next argument
+------------------------------------------------------------------------- */
+
+int PairLubcontact::set_range(int narg, char **arg)
+{
+  const std::string rule = arg[1];
+  if (rule == "default") {
+    range_rule = static_cast<int>(lubcontact::DEFAULT_RANGE);
+    hc = lubcontact::DEFAULT_REACH;
+    return 2;
+  }
+  if (rule == "cut")
+    range_rule = static_cast<int>(lubcontact::Range::CUT);
+  else if (rule == "shifted")
+    range_rule = static_cast<int>(lubcontact::Range::SHIFTED);
+  else if (rule == "voronoi")
+    range_rule = static_cast<int>(lubcontact::Range::VORONOI);
+  else
+    error->all(
+        FLERR, 2,
+        "Pair style lubcontact range must be default or cut or shifted or voronoi, but is {}",
+        rule);
+  if (range_rule == static_cast<int>(lubcontact::Range::VORONOI)) require_voronoi(2);
+
+  if (narg < 3) utils::missing_cmd_args(FLERR, "pair_style lubcontact " + rule, error);
+  hc = utils::numeric(FLERR, arg[2], false, lmp);
+  if (!(hc > 0.0))
+    error->all(FLERR, 3, "Pair style lubcontact range must be > 0 effective radii, but is {}", hc);
+  return 3;
+}
+
+/* ----------------------------------------------------------------------
    pair_style lubcontact eta range args keyword value ...
 ------------------------------------------------------------------------- */
 
 void PairLubcontact::settings(int narg, char **arg)
 {
-  if (narg < 3) utils::missing_cmd_args(FLERR, "pair_style lubcontact", error);
+  if (narg < 2) utils::missing_cmd_args(FLERR, "pair_style lubcontact", error);
 
   delete[] eta_name;
   eta_name = nullptr;
@@ -77,19 +109,7 @@ void PairLubcontact::settings(int narg, char **arg)
       error->all(FLERR, 1, "Pair style lubcontact viscosity must be >= 0, but is {}", eta);
   }
 
-  if (strcmp(arg[1], "cut") == 0)
-    range_rule = static_cast<int>(lubcontact::Range::CUT);
-  else if (strcmp(arg[1], "shifted") == 0)
-    range_rule = static_cast<int>(lubcontact::Range::SHIFTED);
-  else if (strcmp(arg[1], "voronoi") == 0)
-    range_rule = static_cast<int>(lubcontact::Range::VORONOI);
-  else
-    error->all(FLERR, 2, "Pair style lubcontact range must be cut or shifted or voronoi, but is {}",
-               arg[1]);
-  if (range_rule == static_cast<int>(lubcontact::Range::VORONOI)) require_voronoi(2);
-  hc = utils::numeric(FLERR, arg[2], false, lmp);
-  if (!(hc > 0.0))
-    error->all(FLERR, 3, "Pair style lubcontact range must be > 0 effective radii, but is {}", hc);
+  const int first = set_range(narg, arg);
 
   euler = 0;
   radius_rule = static_cast<int>(lubcontact::Radius::HARMONIC);
@@ -98,7 +118,7 @@ void PairLubcontact::settings(int narg, char **arg)
   reported = false;
   bool roll_coeff_given = false, gap_given = false;
 
-  for (int iarg = 3; iarg < narg; iarg += 2) {
+  for (int iarg = first; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "pair_style lubcontact " + key, error);
     const std::string value = arg[iarg + 1];

@@ -71,6 +71,7 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
   const int *type = atom->type;
   const double *radius = atom->radius;
   const double *const *x = atom->x;
+  const bool screened = !faces.empty();
   Queue queue;
 
   for (int ii = 0; ii < list->inum; ii++) {
@@ -83,7 +84,7 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
     const double ri = radius[i];
     const PairCoeffs *coeffs_i = coeffs[type[i]];
     const double *reach_i = reach[type[i]];
-    const char *faces_i = faces_of(i);
+    const char *faces_i = screened ? faces_of(i) : nullptr;
 
     for (int jj = 0; jj < jnum; jj++) {
       const int j = jlist[jj] & NEIGHMASK;
@@ -101,7 +102,7 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
         a = lubcontact::effective_radius(rule, ri, radius[j]);
         const double end = radsum + reach_i[jtype] * a;
         near = rsq < end * end;
-        if (faces_i && !faces_i[jj]) {
+        if (screened && !faces_i[jj]) {
           const double touch = radsum + touching_gap(coeffs_i[jtype]) * a;
           near = rsq < touch * touch;
         }

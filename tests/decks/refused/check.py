@@ -9,7 +9,8 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"style": "lubcontact one cut 0.5"}, "instead of 'one'", None),
     ({"style": "lubcontact v_none cut 0.5"}, "Variable none for the viscosity of pair style lubcontact does not exist", None),
     ({"style": "lubcontact v_style cut 0.5"}, "is not equal-style", None),
-    ({"style": "lubcontact 1.0 near 0.5"}, "range must be cut or shifted or voronoi, but is near", "near"),
+    ({"style": "lubcontact 1.0 default 0.5 roll no"}, "Unknown pair_style lubcontact keyword: 0.5", "0.5"),
+    ({"style": "lubcontact 1.0 near 0.5"}, "range must be default or cut or shifted or voronoi, but is near", "near"),
     ({"style": "lubcontact 1.0 cut 0"}, "range must be > 0 effective radii, but is 0", "0"),
     ({"style": "lubcontact 1.0 voronoi 0.5", "extra": "neighbor 0.3 multi\ncomm_modify mode multi"}, "use: comm_modify mode single", None),
     ({"style": STYLE + " gap newton"}, "gap must be exponential or euler, but is newton", "newton"),
@@ -63,5 +64,7 @@ for variables, message, word in CASES:
 
 text = run({"coeff": "* * 1e12 1e12"}, fails=False)
 deck.expect("a time step over the limit warns", "stability limit of the contact springs" in text)
+text = run({"style": "lubcontact 1.0 default roll no"}, fails=False)
+deck.expect("the default range is told", "range          cut 0.5 effective radii" in text and "rolling film   no" in text)
 deck.expect("the table is printed once", text.count("what this run simulates") == 1)
 deck.finish()

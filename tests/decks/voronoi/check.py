@@ -69,6 +69,8 @@ def judge(what, hc, dim=3, walls=False, ghosts=0.0, **variables):
     """Runs the deck and compares the pairs that act with those that should."""
     run = deck.run("in.voronoi", hc=hc, dim=dim, ghosts=ghosts, walls="yes" if walls else "no", **variables)
     atoms = deck.read_dump("atoms.dump")
+    cutoff = float(run.text.split("ghost atom cutoff = ")[1].split()[0])
+    deck.expect(f"{what}: ghosts out to five radii", cutoff >= max(ghosts, 5 * atoms["radius"].max()) * (1 - 1e-6), str(cutoff))
     shared = faces(run.values, atoms, dim, walls)
     radius = dict(zip(atoms["id"].astype(int), atoms["radius"]))
     acting, expected, screened = set(), set(), 0
