@@ -131,7 +131,7 @@ class PairLubcontact : public Pair {
   std::vector<class Compute *> atom_clients;     // every compute stress/partition/atom
   std::vector<class Compute *> power_clients;    // every compute power/partition
 
-  // range voronoi: does the pair share a face? Per entry of the neighbor list, empty for other ranges
+  // range voronoi: does a pair share a face? Per entry of the list; empty for other ranges
   std::vector<char> faces;
   std::vector<std::size_t> first_face;    // of each owned atom
   const char *faces_of(int i) const { return faces.empty() ? nullptr : &faces[first_face[i]]; }

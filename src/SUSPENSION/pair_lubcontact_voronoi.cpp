@@ -35,7 +35,7 @@ using namespace LAMMPS_NS;
 using lubcontact::Vec3;
 
 // Smaller faces are none, so that ties of regular arrangements (Voro++ decides to 1e-11) do not
-// depend on the rounding of a rank. Over the largest radius squared; in 2d a length over that radius.
+// depend on the rounding of a rank. Over the largest radius squared; in 2d a length over it.
 static constexpr double LEAST_AREA = 1e-8;
 
 // Ghosts out to this distance decide the faces of dense suspensions. Over the largest radius.
@@ -223,7 +223,7 @@ template <class F> void Tessellation::each_cell(const F &shared)
 }
 
 /* ----------------------------------------------------------------------
-   An unknown particle could take the point x_i + q from the cell of i only from within this distance
+   An unknown particle takes the point x_i + q from the cell of i only from within this distance
 ------------------------------------------------------------------------- */
 
 double Tessellation::missing(int i, const Vec3 &q) const

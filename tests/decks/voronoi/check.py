@@ -105,6 +105,9 @@ for what, steps, every, gap, contact, film in (("screened", 400, 100000, 0.2, 0,
     deck.expect_close(what + ": gap, contact force, film force", pairs_of("touch.dump")[1, 2], [gap, contact, film],
                       rtol=0.02, atol=1e-3)
 
+text = deck.run("in.lattice").text
+deck.expect("simple cubic: 6 faces a sphere, no ties", " 648 pairs in range" in text)
+
 # two spheres far apart, half screened by a third, next to a boundary: what is beyond decides
 text = deck.run("in.void", cutoff=0.0, fails=True).text
 deck.expect("voids: the error names the cure", "between atoms" not in text and "use: comm_modify cutoff" in text)

@@ -17,7 +17,7 @@ import rheology    # noqa: E402  pylint: disable=wrong-import-position
 TABLE = HERE / "results.csv"
 FIELDS = ["phi", "rule", "reach", "seed", "eta_r", "error", "contact_n", "contact_t", "film_n", "film_t", "sxx", "syy",
           "szz", "cpu"]
-RANGES = [("cut", "0.5"), ("cut", "0.25"), ("shifted", "1"), ("cut", "1"), ("voronoi", "1.5"), ("shifted", "1.5"),
+RANGES = [("cut", "0.5"), ("cut", "0.25"), ("shifted", "1"), ("cut", "1"), ("voronoi", "1.5"), ("cut", "0.75"), ("shifted", "1.5"),
           ("voronoi", "1"), ("shifted", "0.5"), ("voronoi", "3"), ("shifted", "2")]
 FRACTIONS = ["0.4", "0.54", "0.45", "0.5"]
 TRANSIENT = 1.5    # strain left out
