@@ -216,7 +216,7 @@ inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, cons
     const Gap there = gap_branch<X>(law, contact, old, un0, un0 + t * (un1 - un0), t * h);
     const double f = there.ln_u - border;
     if (std::fabs(f) < 1e-13) break;
-    if ((f > 0.0) == (f_lo > 0.0)) {
+    if (contact ? f <= 0.0 : f >= 0.0) {    // not of f_lo, which may be 0
       lo = t;
       f_lo = f;
       if (kept == 1) f_hi *= 0.5;    // an end kept twice must move

@@ -165,7 +165,7 @@ void PairLubcontact::init_style()
   if (update->whichflag == 2 && size_history)
     error->all(FLERR,
                "Pair style lubcontact can be minimized only as frictionless elastic contact; use: "
-               "squeeze no shear no roll no twist no, and friction none");
+               "squeeze no shear no roll no twist no, friction none, and no adhesion");
 
   neighbor->add_request(this,
                         NeighConst::REQ_DEFAULT | (size_history ? NeighConst::REQ_HISTORY : 0));

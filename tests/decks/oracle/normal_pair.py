@@ -2,7 +2,7 @@
 a pair squeezes a film.
 
 Model: bulk spring g in series with a squeeze film in parallel with asperities k, all on the line,
-    m un'' = -weight + P,    P = g (u - un) = k max(0, rough - u) - c u'/u,    c = (3/2) pi eta a^2,
+    m un'' = -weight + P,    P = g (u - un) = k max(0, rough - u) + F0 exp(-u/length) - c u'/u,    c = (3/2) pi eta a^2,
 un gap of the undeformed and u of the deformed surfaces, P > 0 the repulsion; un > reach: P = 0. Lengths and forces are
 dimensional, and y = ln u is the unknown. Nothing here knows the time scale, the variable 1/u or the branches of the
 C++ code.
@@ -23,16 +23,20 @@ class Pair:
     rough: float    # height of the asperities, length
     film: float     # c, force*time
     reach: float = math.inf
+    F0: float = 0.0    # screened repulsion
+    length: float = 1.0
 
     def rates(self, _, state):
         un, v, y = state
         u = math.exp(y)
         push = self.g * (u - un)
-        return [v, (push - self.weight) / self.mass, (self.k * max(0.0, self.rough - u) - push) / self.film]
+        held = self.k * max(0.0, self.rough - u) + self.F0 * math.exp(-u / self.length)
+        return [v, (push - self.weight) / self.mass, (held - push) / self.film]
 
     def jacobian(self, _, state):
         u = math.exp(state[2])
         touch = self.k if u < self.rough else 0.0
+        touch += self.F0 / self.length * math.exp(-u / self.length)
         return [[0.0, 1.0, 0.0],
                 [-self.g / self.mass, 0.0, self.g * u / self.mass],
                 [self.g / self.film, 0.0, -(self.g + touch) * u / self.film]]
@@ -43,7 +47,10 @@ class Pair:
             return max(state[0] - self.reach, -1.0)    # -1: out of an infinite reach nothing leaves
 
         leaves.terminal, leaves.direction = True, 1.0
-        done = solve_ivp(self.rates, (0.0, times[-1]), [un, v, math.log(un)], method="Radau",
+        u = un    # first sight of the pair: the film carries nothing
+        for _ in range(50):
+            u = un + self.F0 / self.g * math.exp(-u / self.length)
+        done = solve_ivp(self.rates, (0.0, times[-1]), [un, v, math.log(u)], method="Radau",
                          t_eval=times, rtol=1e-8, atol=[1e-11, 1e-9, 1e-9], jac=self.jacobian, events=leaves)
         assert done.success, done.message
         return done

@@ -30,7 +30,33 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"coeff": COEFF + " friction"}, "missing argument", None),
     ({"coeff": COEFF + " friction coulomb"}, "missing argument", None),
     ({"coeff": COEFF + " friction coulomb -0.5"}, "coefficient of friction must be >= 0, but is -0.5", "-0.5"),
-    ({"coeff": COEFF + " friction rubber"}, "friction must be none or coulomb mu, but is rubber", "rubber"),
+    ({"coeff": COEFF + " friction rubber"}, "friction must be none, coulomb mu, or clm step, clm shift or clm ramp with mu and the critical load, but is rubber", "rubber"),
+    ({"coeff": COEFF + " friction clm"}, "but is clm", "clm"),
+    ({"coeff": COEFF + " friction clm soft 0.5 1"}, "but is clm soft", "soft"),
+    ({"coeff": COEFF + " friction clm step 0.5"}, "missing argument", None),
+    ({"coeff": COEFF + " friction clm shift -0.5 1"}, "coefficient of friction must be >= 0, but is -0.5", "-0.5"),
+    ({"coeff": COEFF + " friction clm ramp 0.5 -2"}, "critical load must be >= 0, but is -2", "-2"),
+    ({"coeff": COEFF + " adhesion"}, "missing argument", None),
+    ({"coeff": COEFF + " roughness 0.01 adhesion -3"}, "adhesion must be >= 0, but is -3", "-3"),
+    ({"coeff": COEFF + " adhesion 0.01"}, "give them a roughness > 0", "0.01"),
+    ({"coeff": COEFF + " roughness 0.1 adhesion 0.3"},
+     "Adhesive contacts of types 1 1 break at 0.7 effective radii, beyond the range 0.5", None),
+    ({"coeff": COEFF + " repulsion 1"}, "missing argument", None),
+    ({"coeff": COEFF + " repulsion -1 0.1"}, "repulsion must be >= 0, but is -1", "-1"),
+    ({"coeff": COEFF + " repulsion 1 0"}, "screening length must be > 0, but is 0", "0"),
+    ({"coeff": "1 1 1e4 5e3 friction coulomb 0.5\npair_coeff 2 2 1e4 5e3 friction clm step 0.5 1"},
+     "Types 1 and 2 of pair style lubcontact have different laws of friction, coulomb and clm step: say with pair_coeff "
+     "1 2 which one acts between them", None),
+    ({"extra": "variable f equal 1\nfix a all adapt 1 pair lubcontact friction * * v_f"},
+     "give pair_coeff friction coulomb 0 first", None),
+    ({"coeff": COEFF + " friction coulomb 0.5", "extra": "variable f equal 1\nfix a all adapt 1 pair lubcontact critical * * v_f"},
+     "give pair_coeff friction clm first", None),
+    ({"extra": "variable f equal 1\nfix a all adapt 1 pair lubcontact repulsion * * v_f"},
+     "give pair_coeff repulsion 0 with a screening length first", None),
+    ({"coeff": COEFF + " repulsion 1 0.1", "extra": "variable f equal -1\nfix a all adapt 1 pair lubcontact repulsion * * v_f"},
+     "left their range", None),
+    ({"style": "lubcontact 0 cut 0.5 squeeze no shear no roll no twist no", "coeff": COEFF + " roughness 0.01 adhesion 0.01",
+      "extra": "minimize 0 0 10 10"}, "and no adhesion", None),
     ({"coeff": COEFF + " rougness 0.1"}, "Unknown pair_coeff lubcontact keyword: rougness", "rougness"),
     ({"coeff": "1 1 1e4 5e3"}, "All pair coeffs are not set", None),
     ({"ghost": "print skipped"}, "add: comm_modify vel yes", None),
@@ -66,5 +92,8 @@ text = run({"coeff": "* * 1e12 1e12"}, fails=False)
 deck.expect("a time step over the limit warns", "stability limit of the contact springs" in text)
 text = run({"style": "lubcontact 1.0 default roll no"}, fails=False)
 deck.expect("the default range is told", "range          cut 0.5 effective radii" in text and "rolling film   no" in text)
+for length, warned in (0.07, False), (0.08, True):    # exp(-0.5/length) against 1e-3
+    text = run({"coeff": f"* * 1e4 5e3 repulsion 1 {length}"}, fails=False)
+    deck.expect(f"repulsion of length {length} warns: {warned}", ("where it jumps: extend the range" in text) == warned)
 deck.expect("the table is printed once", text.count("what this run simulates") == 1)
 deck.finish()

@@ -8,8 +8,10 @@ import numpy as np
 
 import deck
 
+LAWS = "friction clm shift 0.5 5 adhesion 0.002 repulsion 20 0.02"
+
 deck.make_state(shape="orthogonal")
-straight = deck.run("in.straight")
+straight = deck.run("in.straight", coeffs=LAWS)
 restarted = deck.run("in.restarted")
 a, b = deck.read_dump("straight.dump"), deck.read_dump("restarted.dump")
 for column in a:
