@@ -95,7 +95,7 @@ template <unsigned X> inline NormalCoeffs linearized(const NormalCoeffs &c, doub
 // May the repulsion be linearized over this change of the gap?
 inline bool is_small_change(const NormalCoeffs &c, double a, double u0, double u1)
 {
-  return std::fabs(u1 - u0) * a * c.repulsion.per_length < 0.25;
+  return (c.repulsion.force == 0.0) | (std::fabs(u1 - u0) * a * c.repulsion.per_length < 0.25);
 }
 
 // Length of the time step in units of tau = nu a/g. With a shifted range the squeeze resistance is
