@@ -48,14 +48,14 @@ inline double relative_repulsion(const NormalCoeffs &c, double a, double u)
 }
 
 // Do the asperities touch at elastic rest, un over a? With ADHESION also if they have held (bond)
-// and the gap at which they would carry the load has not passed `release`.
+// and the gap at which they would carry the load has not passed `release`. Smooth surfaces have none.
 template <unsigned X = 0>
 inline bool elastic_contact(const NormalCoeffs &c, double a, double un, [[maybe_unused]] bool bond)
 {
   const GapLaw &law = c.gap;
   double at_eps = 0.0;
   if constexpr (X & REPULSION) at_eps = relative_repulsion(c, a, law.eps);
-  const bool touch = un + at_eps < law.eps;
+  const bool touch = (un + at_eps < law.eps) & (law.eps > 0.0);
   if constexpr (X & ADHESION) {
     double at_release = 0.0;
     if constexpr (X & REPULSION) at_release = relative_repulsion(c, a, law.release);

@@ -208,7 +208,7 @@ inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
   load.contact = normal.contact;
   load.film = normal.film;
   load.normal = normal.contact + normal.film;
-  load.touch = E::adhesion ? bond : normal.contact > 0.0;
+  load.touch = bond | (normal.contact > 0.0);
   if constexpr (E::repulsion) {
     load.repulsion = normal.repulsion;
     load.normal = load.normal + normal.repulsion;

@@ -22,6 +22,11 @@ struct Case {
     c = {{g, k, {k / g, eps, eps > 0.0 ? std::log(eps) : -HUGE_VAL, false}},
          rnd.log_uniform(1e2, 1e4),
          rnd.uniform(0.0, 1.0)};
+    c.normal.gap.release = eps > 0.0 && rnd.coin() ? eps * rnd.uniform(1.0, 2.0) : eps;
+    c.normal.gap.ln_release = c.normal.gap.release > eps ? std::log(c.normal.gap.release) : c.normal.gap.ln_eps;
+    if (rnd.coin()) c.normal.repulsion = {rnd.log_uniform(1e-2, 1e2), rnd.log_uniform(10.0, 1e3)};
+    const FrictionLaw laws[] = {FrictionLaw::COULOMB, FrictionLaw::STEP, FrictionLaw::SHIFT, FrictionLaw::RAMP};
+    c.threshold = make_threshold(laws[rnd.engine() % 4], rnd.log_uniform(1e-2, 1e2));
     const double ri = rnd.uniform(0.5, 1.5), rj = rnd.uniform(0.5, 1.5);
     a = effective_radius(Radius::HARMONIC, ri, rj);
     const double un = a * rnd.uniform(-0.02, 0.4);
@@ -37,6 +42,11 @@ struct Case {
       const double u = g.un > 0.0 ? g.gap * rnd.uniform(0.9, 1.1) : rnd.log_uniform(1e-4, 1e-2);
       history[E::GAP_SLOT] = u;
       history[E::GAP_SLOT + 1] = std::log(u);
+    }
+    if constexpr (E::adhesion) {
+      const double u = E::gap_history ? history[E::GAP_SLOT] : g.gap;
+      const bool may = u < c.normal.gap.release && rnd.coin();
+      history[E::BOND_SLOT] = may || u < c.normal.gap.eps ? 1.0 : 0.0;
     }
     if constexpr (E::surface_history)
       history[E::SURFACE_SLOT] = g.un + g.a * rnd.uniform(-1e-4, 1e-4);
@@ -59,6 +69,13 @@ void put(const Case &k, Batch &b, int l)
   b.alpha[l] = k.c.normal.gap.alpha;
   b.eps[l] = k.c.normal.gap.eps;
   b.ln_eps[l] = k.c.normal.gap.ln_eps;
+  b.release[l] = k.c.normal.gap.release;
+  b.ln_release[l] = k.c.normal.gap.ln_release;
+  b.repulsion[l] = k.c.normal.repulsion.force;
+  b.per_screening[l] = k.c.normal.repulsion.per_length;
+  b.least[l] = k.c.threshold.least;
+  b.shift[l] = k.c.threshold.shift;
+  b.per_ramp[l] = k.c.threshold.per_ramp;
   b.kt[l] = k.c.kt;
   b.mu[l] = k.c.mu;
   for (int m = 0; m < Batch::HISTORY; m++) b.history[m][l] = k.history[m];
@@ -98,13 +115,15 @@ TEST(Batch, IsThePairByItselfBitForBit)
 {
   for (const Range rule : {Range::CUT, Range::SHIFTED}) {
     const Film f = make_film(1.0, 0.5, rule, 0.6);
-    for_each_mask([&f](auto mask) {
+    auto check = [&f](auto mask) {
       Random rnd(mask.value);
       int usual = 0;
       for (int trial = 0; trial < 200; trial++)
         usual += compare<Effects<mask.value>>(rnd, f, rnd.log_uniform(1e-5, 1e-2));
       EXPECT_GT(usual, 1000);    // of 1600
-    });
+    };
+    for_each_mask(check);
+    for_extended_masks(check);
   }
 }
 

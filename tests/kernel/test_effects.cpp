@@ -1,4 +1,4 @@
-// Shows which doubles of history each of the 32 masks keeps, and how they change under i <-> j.
+// Shows which doubles of history each mask keeps, and how they change under i <-> j.
 
 #include "lubcontact_effects.h"
 #include "tools.h"
@@ -6,13 +6,19 @@
 using namespace lubcontact;
 using namespace testing_tools;
 
-// One letter a double, in order: g gap and its logarithm, u surface, s shear, r roll, t twist.
+// Without adhesion; one letter a double, in order: g gap and its logarithm, u surface, s shear, r roll, t twist.
 static constexpr const char *LAYOUT[32] = {
     "",         "ggu",        "usss",     "ggusss",    "usss",      "ggusss",   "usss",
     "ggusss",   "urrr",       "ggurrr",   "usssrrr",   "ggusssrrr", "usssrrr",  "ggusssrrr",
     "usssrrr",  "ggusssrrr",  "ut",       "ggut",      "ussst",     "ggussst",  "ussst",
     "ggussst",  "ussst",      "ggussst",  "urrrt",     "ggurrrt",   "usssrrrt", "ggusssrrrt",
     "usssrrrt", "ggusssrrrt", "usssrrrt", "ggusssrrrt"};
+
+// A bond (b) comes last.
+static std::string layout_of(unsigned mask)
+{
+  return std::string(LAYOUT[mask % 32]) + (mask & ADHESION ? "b" : "");
+}
 
 TEST(Effects, BitsOfTheMaskAreTheDocumentedOnes)
 {
@@ -27,16 +33,28 @@ TEST(Effects, BitsOfTheMaskAreTheDocumentedOnes)
   EXPECT_EQ(NUM_COMBINATIONS, 256u);
 }
 
+TEST(Effects, ThresholdIsNothingWithoutFriction)
+{
+  for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
+    const bool idle = (mask & THRESHOLD) && !(mask & FRICTION);
+    EXPECT_EQ(canonical(mask), idle ? mask - THRESHOLD : mask);
+  }
+}
+
 TEST(Effects, EachBitSwitchesItsOwnEffect)
 {
-  for_each_mask([](auto mask) {
+  for_all_masks([](auto mask) {
     using E = Effects<mask.value>;
     EXPECT_EQ(E::squeeze, mask.value % 2 == 1);
     EXPECT_EQ(E::shear, mask.value / 2 % 2 == 1);
     EXPECT_EQ(E::friction, mask.value / 4 % 2 == 1);
     EXPECT_EQ(E::roll, mask.value / 8 % 2 == 1);
-    EXPECT_EQ(E::twist, mask.value / 16 == 1);
-    const std::string layout = LAYOUT[mask.value];
+    EXPECT_EQ(E::twist, mask.value / 16 % 2 == 1);
+    EXPECT_EQ(E::threshold, mask.value / 32 % 2 == 1 && E::friction);
+    EXPECT_EQ(E::adhesion, mask.value / 64 % 2 == 1);
+    EXPECT_EQ(E::repulsion, mask.value / 128 == 1);
+    EXPECT_EQ(E::normal, mask.value / 64 * 64);
+    const std::string layout = layout_of(mask.value);
     EXPECT_EQ(E::tangential, layout.find('s') != std::string::npos);
     EXPECT_EQ(E::reads_gap, layout.find_first_of("srt") != std::string::npos);
     EXPECT_EQ(E::turns, layout.find_first_of("sr") != std::string::npos);
@@ -45,7 +63,7 @@ TEST(Effects, EachBitSwitchesItsOwnEffect)
 
 TEST(Effects, HistoryHasTheSlotsOfTheTableWithoutGaps)
 {
-  for_each_mask([](auto mask) {
+  for_all_masks([](auto mask) {
     using E = Effects<mask.value>;
     std::string layout(static_cast<std::size_t>(E::HISTORY_SIZE), '-');
     auto mark = [&layout](bool on, int slot, std::size_t size, char letter) {
@@ -58,21 +76,22 @@ TEST(Effects, HistoryHasTheSlotsOfTheTableWithoutGaps)
     mark(E::tangential, E::SHEAR_SLOT, 3, 's');
     mark(E::roll, E::ROLL_SLOT, 3, 'r');
     mark(E::twist, E::TWIST_SLOT, 1, 't');
-    EXPECT_EQ(layout, LAYOUT[mask.value]);
+    mark(E::adhesion, E::BOND_SLOT, 1, 'b');
+    EXPECT_EQ(layout, layout_of(mask.value));
   });
 }
 
 TEST(ExchangeHistory, ScalarsAreEvenAndVectorsAreOdd)
 {
-  for_each_mask([](auto mask) {
-    const std::string layout = LAYOUT[mask.value];
-    double source[11], target[11];
-    for (int m = 0; m < 11; m++) {
+  for_all_masks([](auto mask) {
+    const std::string layout = layout_of(mask.value);
+    double source[12], target[12];
+    for (int m = 0; m < 12; m++) {
       source[m] = m + 1.0;
       target[m] = -77.0;
     }
     exchange_history<Effects<mask.value>>(source, target);
-    for (std::size_t m = 0; m < 11; m++) {
+    for (std::size_t m = 0; m < 12; m++) {
       if (m >= layout.size())
         EXPECT_EQ(target[m], -77.0) << "wrote beyond the history, slot " << m;
       else if (layout[m] == 's' || layout[m] == 'r')
@@ -85,11 +104,11 @@ TEST(ExchangeHistory, ScalarsAreEvenAndVectorsAreOdd)
 
 TEST(ExchangeHistory, TwiceIsTheIdentityAlsoInPlace)
 {
-  for_each_mask([](auto mask) {
-    double history[10];
-    for (int m = 0; m < 10; m++) history[m] = 0.5 - m;
+  for_all_masks([](auto mask) {
+    double history[11];
+    for (int m = 0; m < 11; m++) history[m] = 0.5 - m;
     exchange_history<Effects<mask.value>>(history, history);
     exchange_history<Effects<mask.value>>(history, history);
-    for (int m = 0; m < 10; m++) EXPECT_EQ(history[m], 0.5 - m);
+    for (int m = 0; m < 11; m++) EXPECT_EQ(history[m], 0.5 - m);
   });
 }

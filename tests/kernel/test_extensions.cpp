@@ -187,6 +187,29 @@ TEST(Extensions, EnergyIsTheWorkOfTheForces)
   }
 }
 
+TEST(Adhesion, SmoothSurfacesNeverHold)
+{
+  // types of a mixture that have no asperities, in an instance with adhesion: overlapping at first sight
+  const NormalCoeffs c = make_coeffs(200.0, 400.0, 0.0, 0.0);
+  for (const double eta : {0.0, 1.0}) {
+    const Film f = make_film(eta, 2.0, Range::CUT, 0.6);
+    const bool bond = elastic_contact<ADHESION>(c, 1.0, -0.01, false);
+    EXPECT_FALSE(bond);
+    Gap gap = gap_of(elastic_gap<ADHESION>(c, 1.0, -0.01, bond), bond), plain = gap;
+    EXPECT_EQ(gap.u, elastic_gap(c.gap, -0.01));
+    for (const double un : {-0.01, -0.005, 0.001, 0.1, 0.1}) {
+      gap = next_gap<ADHESION>(c, f, 1.0, gap, un, un, 1.0);
+      plain = next_gap(c, f, 1.0, plain, un, un, 1.0);
+      EXPECT_EQ(gap.ln_u, plain.ln_u);
+      EXPECT_FALSE(gap.bond);
+      const NormalForce a = normal_force<ADHESION>(c, 1.0, un, gap.u, eta > 0.0, gap.bond);
+      const NormalForce b = normal_force(c, 1.0, un, plain.u, eta > 0.0);
+      EXPECT_EQ(a.contact, b.contact);
+      EXPECT_EQ(a.film, b.film);
+    }
+  }
+}
+
 TEST(Adhesion, HoldsUntilTheGapExceedsTheReleaseAndNoLonger)
 {
   // held at un for long: the gap of elastic rest is (un + alpha eps)/(1 + alpha) while it holds

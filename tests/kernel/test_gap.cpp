@@ -413,6 +413,23 @@ TEST(GapStep, OnTheBorderTheSurfacesDecide)
   EXPECT_NEAR(end(0.02), law.ln_eps, 1e-13);
 }
 
+TEST(GapStep, FromTheBorderIsTheLimitOfStepsFromTheSideOfTheMeanDrive)
+{
+  // surfaces that open on average and yet end closer than the border, and the other way
+  for (const bool euler : {false, true}) {
+    const GapLaw law = make_law(2.0, 0.05, euler);
+    for (const double way : {0.03, -0.03}) {
+      for (const double h : {10.0, 100.0, 1000.0}) {
+        auto end = [&](double y0) {
+          return gap_step(law, gap_of(y0), 0.05 + way, 0.05 - 0.9 * way, h).ln_u;
+        };
+        const double side = way > 0.0 ? 1e-9 : -1e-9;
+        EXPECT_NEAR(end(law.ln_eps), end(law.ln_eps + side), 1e-6) << way << " " << h;
+      }
+    }
+  }
+}
+
 TEST(GapStep, ComesBackFromTheDeepestCompression)
 {
   // un = -1 for 1e5, then +1 as long: the area is repaid and the film opens where it closed

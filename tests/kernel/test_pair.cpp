@@ -3,6 +3,7 @@
 #include "lubcontact_pair.h"
 #include "tools.h"
 
+#include <stdexcept>
 #include <vector>
 
 using namespace lubcontact;
@@ -12,10 +13,24 @@ namespace {
 
 PairCoeffs make_coeffs(double g, double k, double eps, double kt, double mu)
 {
-  return {{g, k, {k / g, eps, eps > 0.0 ? std::log(eps) : -HUGE_VAL, false}}, kt, mu};
+  PairCoeffs c{{g, k, {k / g, eps, eps > 0.0 ? std::log(eps) : -HUGE_VAL, false}}, kt, mu};
+  c.normal.gap.release = eps;
+  c.normal.gap.ln_release = c.normal.gap.ln_eps;
+  return c;
 }
 
-static const PairCoeffs ROUGH = make_coeffs(1000.0, 1000.0, 0.03, 700.0, 0.5);
+// with what the extensions need, where a mask has them
+PairCoeffs extended(PairCoeffs c, double delta, double F0, double per_length, double critical)
+{
+  c.normal.gap.release = c.normal.gap.eps + delta;
+  if (delta > 0.0) c.normal.gap.ln_release = std::log(c.normal.gap.release);
+  c.normal.repulsion = {F0, per_length};
+  c.threshold = make_threshold(FrictionLaw::RAMP, critical);
+  return c;
+}
+
+static const PairCoeffs ROUGH =
+    extended(make_coeffs(1000.0, 1000.0, 0.03, 700.0, 0.5), 0.01, 20.0, 50.0, 15.0);
 static const Film VISCOUS = make_film(2.0, 1.0, Range::CUT, 0.6);
 
 // The functions of one mask, so that each is compiled once however many tests call it.
@@ -32,16 +47,38 @@ struct Law {
   bool has(unsigned effect) const { return mask & effect; }
 };
 
-template <unsigned... MASK> std::vector<Law> make_laws(std::integer_sequence<unsigned, MASK...>)
+template <unsigned MASK> Law make_law()
 {
-  return {Law{MASK, Effects<MASK>::HISTORY_SIZE, Effects<MASK>::SHEAR_SLOT,
-              Effects<MASK>::ROLL_SLOT, Effects<MASK>::TWIST_SLOT, &first_history<Effects<MASK>>,
-              &next_history<Effects<MASK>>, &pair_load<Effects<MASK>>, &pair_energy<Effects<MASK>>,
-              &exchange_history<Effects<MASK>>}...};
+  using E = Effects<MASK>;
+  return {MASK,
+          E::HISTORY_SIZE,
+          E::SHEAR_SLOT,
+          E::ROLL_SLOT,
+          E::TWIST_SLOT,
+          &first_history<E>,
+          &next_history<E>,
+          &pair_load<E>,
+          &pair_energy<E>,
+          &exchange_history<E>};
 }
 
-// without the extensions of friction and of the normal mode
-const std::vector<Law> LAWS = make_laws(std::make_integer_sequence<unsigned, 32>{});
+template <unsigned... MASK, unsigned... EXTENDED>
+std::vector<Law> make_laws(std::integer_sequence<unsigned, MASK...>,
+                           std::integer_sequence<unsigned, EXTENDED...>)
+{
+  return {make_law<MASK>()..., make_law<EXTENDED>()...};
+}
+
+// the basic masks, by number, and a choice of extended ones
+const std::vector<Law> LAWS =
+    make_laws(std::make_integer_sequence<unsigned, 32>{}, ExtendedMasks{});
+
+const Law &law_of(unsigned mask)
+{
+  for (const Law &law : LAWS)
+    if (law.mask == mask) return law;
+  throw std::out_of_range("mask " + std::to_string(mask));
+}
 
 template <class F> void for_each_law(F &&f)
 {
@@ -49,6 +86,13 @@ template <class F> void for_each_law(F &&f)
     SCOPED_TRACE("mask " + std::to_string(law.mask));
     f(law);
   }
+}
+
+template <class F> void for_each_basic_law(F &&f)
+{
+  for_each_law([&f](const Law &law) {
+    if (law.mask < 32) f(law);
+  });
 }
 
 // Two spheres on smooth random paths through contact and out of it.
@@ -79,7 +123,7 @@ struct Pair {
   Film f;
   PairGeometry g{};
   Body i{}, j{};
-  double history[10] = {};
+  double history[11] = {};
 
   void start(const Vec3 &xi, const Vec3 &xj, double ri, double rj, double a)
   {
@@ -108,6 +152,7 @@ void expect_same_load(const Load &a, const Load &b)
 {
   EXPECT_EQ(a.contact, b.contact);
   EXPECT_EQ(a.film, b.film);
+  EXPECT_EQ(a.repulsion, b.repulsion);
   expect_same(a.shear, b.shear);
   expect_same(a.couple, b.couple);
   EXPECT_EQ(a.u, b.u);
@@ -120,7 +165,7 @@ std::vector<Load> loads_along(unsigned mask, std::uint64_t seed, const PairCoeff
 {
   Random rnd(seed);
   const Motion m(rnd);
-  Pair pair{LAWS[mask], c, f};
+  Pair pair{law_of(mask), c, f};
   pair.start(m);
   std::vector<Load> loads;
   for (int n = 1; n <= steps; n++) {
@@ -151,14 +196,15 @@ Balance balance_along(unsigned mask, std::uint64_t seed, const PairCoeffs &c, co
 {
   Random rnd(seed);
   const Motion m(rnd);
-  Pair pair{LAWS[mask], c, f};
+  Pair pair{law_of(mask), c, f};
   pair.start(m);
   Balance b;
   auto stored = [&](const Load &l, double *energy) {
-    energy[0] = normal_energy(c.normal, pair.g.a, pair.g.un, l.u);
+    energy[3] = pair.law.energy(c, pair.g, l);
+    energy[0] = energy[3] - 0.5 * dot(l.shear, l.shear) / c.kt -
+        0.5 * dot(l.couple, l.couple) / (c.kt * pair.g.a * pair.g.a);
     energy[1] = 0.5 * dot(l.shear, l.shear) / c.kt;
     energy[2] = 0.5 * dot(l.couple, l.couple) / (c.kt * pair.g.a * pair.g.a);
-    energy[3] = pair.law.energy(c, pair.g, l);
   };
   double before[4], after[4], highest[4] = {};
   Load l0 = pair.load();
@@ -209,18 +255,21 @@ TEST(PairLaw, FirstHistoryIsTheElasticGapAndNothingElse)
 {
   for_each_law([](const Law &law) {
     const PairGeometry g = pair_geometry({2.0, 0, 0}, {}, 1.0, 1.02, 1.01);    // un = -0.02
-    double history[11];
+    double history[12];
     for (double &h : history) h = 99.0;
     law.first(ROUGH, g, history);
     int m = 0;
     if (law.has(SQUEEZE)) {
-      const double u = 0.5 * (-0.02 / 1.01 + 0.03);
+      // 2 u = un + eps, and the repulsion if there is one
+      const double pushed = law.has(REPULSION) ? 20.0 * std::exp(-50.0 * 1.01 * history[0]) : 0.0;
+      const double u = 0.5 * (-0.02 / 1.01 + 0.03 + pushed / 1010.0);
       EXPECT_NEAR(history[m++], u, 1e-15);
       EXPECT_NEAR(history[m++], std::log(u), 1e-13);
     }
-    if (law.mask != 0) { EXPECT_NEAR(history[m++], -0.02, 1e-15); }
-    for (; m < law.size; m++) EXPECT_EQ(history[m], 0.0);
-    for (; m < 11; m++) EXPECT_EQ(history[m], 99.0);    // nothing beyond
+    if (law.mask % 32 != 0) { EXPECT_NEAR(history[m++], -0.02, 1e-15); }
+    for (; m < law.size - (law.has(ADHESION) ? 1 : 0); m++) EXPECT_EQ(history[m], 0.0);
+    if (law.has(ADHESION)) { EXPECT_EQ(history[m++], 1.0); }
+    for (; m < 12; m++) EXPECT_EQ(history[m], 99.0);    // nothing beyond
   });
 }
 
@@ -235,8 +284,8 @@ TEST(PairLaw, LoadDependsOnGeometryAndHistoryAlone)
       pair.follow(m, n, 0.02);
       const Load once = pair.load();
       expect_same_load(once, pair.load());
-      double copy[10];
-      for (int k = 0; k < 10; k++) copy[k] = pair.history[k];
+      double copy[11];
+      for (int k = 0; k < 11; k++) copy[k] = pair.history[k];
       const PairGeometry again = pair_geometry(pair.i.x, pair.j.x, m.ri, m.rj, m.a);
       expect_same_load(once, law.load(ROUGH, VISCOUS, again, copy));
     }
@@ -251,12 +300,12 @@ TEST(PairLaw, HistoryMayBeWrittenInPlace)
     Pair pair{law, ROUGH, VISCOUS};
     pair.start(m);
     for (int n = 1; n <= 300; n++) {
-      double old[10], apart[11];
-      for (int k = 0; k < 10; k++) old[k] = pair.history[k];
+      double old[11], apart[12];
+      for (int k = 0; k < 11; k++) old[k] = pair.history[k];
       for (double &x : apart) x = 99.0;
       pair.follow(m, n, 0.02);
       law.next(ROUGH, VISCOUS, pair.g, pair.i, pair.j, 0.02, old, apart);
-      for (int k = 0; k < 11; k++) {
+      for (int k = 0; k < 12; k++) {
         EXPECT_EQ(apart[k], k < law.size ? pair.history[k] : 99.0) << "double " << k;
       }
     }
@@ -293,7 +342,7 @@ TEST(PairLaw, ExchangeOfTheSpheresOnlyChangesTheSign)
       const double dt = 0.02, t = n * dt, middle = (n - 0.5) * dt;
       ij.follow(m, n, dt);
       ji.move(m.xj(t), m.xi(t), m.wj(middle), m.wi(middle), dt);
-      double expected[10];
+      double expected[11];
       law.exchange(ij.history, expected);
       for (int k = 0; k < law.size; k++) ASSERT_EQ(ji.history[k], expected[k]) << k;
       const Load a = ij.load(), b = ji.load();
@@ -327,7 +376,8 @@ TEST(PairLaw, FrictionObeysCoulombInEveryMask)
       for (const Load &l : loads_along(law.mask, seed, ROUGH, VISCOUS, 1000, 0.02)) {
         const ShearSplit s = split(l);
         if (law.has(FRICTION)) {
-          EXPECT_EQ(l.cone, 0.5 * l.contact);
+          const double N = std::fmax(0.0, l.contact);
+          EXPECT_EQ(l.cone, 0.5 * (law.has(THRESHOLD) ? rubbing_load(ROUGH.threshold, N) : N));
         } else {
           EXPECT_EQ(l.cone, 0.0);
         }
@@ -364,7 +414,7 @@ static Load slow_spin(unsigned mask, double a, double u, const Vec3 &wi, const V
 {
   const double kt = 1e9, dt = 1.0, rate = 1e-6;
   const PairCoeffs c = make_coeffs(1.0, 1.0, 0.0, kt, 0.0);
-  Pair pair{LAWS[mask], c, make_film(1.0, 2.0, Range::CUT, 0.6)};
+  Pair pair{law_of(mask), c, make_film(1.0, 2.0, Range::CUT, 0.6)};
   const Vec3 xi{a * (2.0 + u), 0.0, 0.0};
   pair.start(xi, {}, a, a, a);
   for (int n = 0; n < 3; n++) pair.move(xi, {}, rate * wi, rate * wj, dt);
@@ -422,7 +472,7 @@ TEST(PairLaw, FilmModesFollowAMovingGapToSecondOrder)
   // differences of three steps, a half each, short beside the relaxation of the films; friction is
   // of first order and off
   const PairCoeffs soft = make_coeffs(1000.0, 1000.0, 0.03, 2.0, 0.0);
-  for_each_law([&](const Law &law) {
+  for_each_basic_law([&](const Law &law) {
     if (law.has(FRICTION)) return;
     Vec3 shear[3], couple[3];
     for (int k = 0; k < 3; k++) {
@@ -480,7 +530,7 @@ static double turning_difference(unsigned mask, std::uint64_t seed, int steps, d
   const Motion m(rnd);
   const Vec3 spin = rnd.unit();
   const double dt = end / steps, rate = 1.5;
-  Pair plain{LAWS[mask], ROUGH, VISCOUS}, turning{LAWS[mask], ROUGH, VISCOUS};
+  Pair plain{law_of(mask), ROUGH, VISCOUS}, turning{law_of(mask), ROUGH, VISCOUS};
   plain.start(m);
   turning.start(m);
   double worst = 0.0, size = 0.0;
@@ -514,7 +564,7 @@ TEST(PairLaw, SuperposedRotationDoesNotChangeTheLoad)
 TEST(PairLaw, SuperposedRotationIsOfSecondOrderWithoutFriction)
 {
   // friction is of first order, where it turns and where it begins to slip
-  for_each_law([](const Law &law) {
+  for_each_basic_law([](const Law &law) {
     if (law.has(FRICTION)) return;
     const double coarse = turning_difference(law.mask, 8, 2000, 10.0);
     const double fine = turning_difference(law.mask, 8, 4000, 10.0);
@@ -561,8 +611,11 @@ TEST(PairLaw, NoModeOfAnyMaskMakesEnergy)
       Random rnd(seed);
       const Film film = make_film(rnd.log_uniform(0.03, 30.0), rnd.uniform(0.1, 1.0),
                                   rnd.coin() ? Range::CUT : Range::SHIFTED, 0.6);
-      const PairCoeffs c = make_coeffs(1000.0, 1000.0 * rnd.log_uniform(0.1, 10.0),
-                                       rnd.log_uniform(0.005, 0.05), 700.0, rnd.uniform(0.0, 1.0));
+      const PairCoeffs basic =
+          make_coeffs(1000.0, 1000.0 * rnd.log_uniform(0.1, 10.0), rnd.log_uniform(0.005, 0.05),
+                      700.0, rnd.uniform(0.0, 1.0));
+      const PairCoeffs c = extended(basic, rnd.uniform(0.0, 0.01), rnd.log_uniform(1.0, 50.0),
+                                    rnd.log_uniform(20.0, 100.0), rnd.log_uniform(1.0, 50.0));
       const Balance b = balance_along(law.mask, seed, c, film, 4000, 0.005);
       // the trapezoidal work of a step is off by its curvature, dt^2 of a motion of frequency 1
       const char *name[4] = {"normal", "tangential", "couple", "all"};
@@ -593,7 +646,9 @@ TEST(PairLaw, FilmsAndFrictionDoDissipate)
 TEST(PairLaw, WithoutViscosityAndFrictionEnergyIsConserved)
 {
   const Film dry = make_film(0.0, 1.0, Range::CUT, 0.6);
-  const PairCoeffs smooth = make_coeffs(1000.0, 1000.0, 0.03, 700.0, 0.0);
+  // a bond would lose energy where it breaks
+  const PairCoeffs smooth =
+      extended(make_coeffs(1000.0, 1000.0, 0.03, 700.0, 0.0), 0.0, 20.0, 50.0, 15.0);
   for_each_law([&](const Law &law) {
     for (std::uint64_t seed = 50; seed < 53; seed++) {
       const Balance b = balance_along(law.mask, seed, smooth, dry, 8000, 0.0025);
@@ -609,7 +664,7 @@ TEST(PairLaw, WithoutViscosityAndFrictionEnergyIsConserved)
 TEST(PairLaw, ModesOnlyMeetInTheGap)
 {
   // each origin is that of the mask with its own bits and the squeeze bit alone, bit for bit
-  for_each_law([](const Law &law) {
+  for_each_basic_law([](const Law &law) {
     const unsigned M = law.mask, gap = M & SQUEEZE, own = M & (SHEAR | FRICTION);
     const auto full = loads_along(M, 60, ROUGH, VISCOUS, 600, 0.02);
     const auto normal = loads_along(gap, 60, ROUGH, VISCOUS, 600, 0.02);
@@ -631,7 +686,7 @@ TEST(PairLaw, WithoutFrictionIsFrictionWithMuZero)
 {
   PairCoeffs frictionless = ROUGH;
   frictionless.mu = 0.0;
-  for_each_law([&](const Law &law) {
+  for_each_basic_law([&](const Law &law) {
     const auto with = loads_along(law.mask | FRICTION, 61, frictionless, VISCOUS, 600, 0.02);
     const auto without = loads_along(law.mask & ~unsigned(FRICTION), 61, ROUGH, VISCOUS, 600, 0.02);
     for (std::size_t n = 0; n < with.size(); n++) expect_same_load(with[n], without[n]);
@@ -643,7 +698,7 @@ TEST(PairLaw, WithoutFilmModesIsTheFullLawWithoutViscosity)
   // dry: only friction and the elastic contact are left of mask 31
   const Film dry = make_film(0.0, 1.0, Range::CUT, 0.6);
   const auto bare = loads_along(FRICTION, 62, ROUGH, VISCOUS, 600, 0.02);
-  for_each_law([&](const Law &law) {
+  for_each_basic_law([&](const Law &law) {
     if (!law.has(FRICTION)) return;
     const auto full = loads_along(law.mask, 62, ROUGH, dry, 600, 0.02);
     for (std::size_t n = 0; n < full.size(); n++) expect_same_load(full[n], bare[n]);
@@ -653,7 +708,7 @@ TEST(PairLaw, WithoutFilmModesIsTheFullLawWithoutViscosity)
 TEST(PairLaw, WithoutSqueezeIsTheFullLawWhereTheFilmIsAtRest)
 {
   // surfaces that stay: the film of the normal mode carries nothing, u is that of elastic rest
-  for_each_law([](const Law &law) {
+  for_each_basic_law([](const Law &law) {
     if (law.has(SQUEEZE)) return;
 
     for (const double un : {0.2, 0.01, -0.01}) {
@@ -685,7 +740,7 @@ TEST(PairLaw, WithoutSqueezeIsTheFullLawWhereTheFilmIsAtRest)
 TEST(PairLaw, AModeThatIsNotExcitedMakesNoDifference)
 {
   // head-on, without spins: every mask has the force of its squeeze bit
-  for_each_law([](const Law &law) {
+  for_each_basic_law([](const Law &law) {
     Pair full{law, ROUGH, VISCOUS};
     Pair normal{LAWS[law.mask & SQUEEZE], ROUGH, VISCOUS};
     const Vec3 e{0.6, 0.0, 0.8};
@@ -712,8 +767,11 @@ TEST(PairLaw, IsFiniteForAnythingInEveryMask)
     Random rnd(70);
     for (int trial = 0; trial < 300; trial++) {
       const double eps = rnd.coin() ? rnd.log_uniform(1e-6, 0.1) : 0.0;
-      const PairCoeffs c = make_coeffs(1.0, rnd.log_uniform(1e-6, 1e6), eps,
-                                       rnd.log_uniform(1e-6, 1e6), rnd.uniform(0.0, 2.0));
+      const PairCoeffs basic =
+          make_coeffs(1.0, rnd.log_uniform(1e-6, 1e6), eps, rnd.log_uniform(1e-6, 1e6),
+                      rnd.uniform(0.0, 2.0));
+      const PairCoeffs c = extended(basic, eps * rnd.uniform(0.0, 1.0), rnd.log_uniform(1e-9, 1e3),
+                                    rnd.log_uniform(1.0, 1e6), rnd.log_uniform(1e-6, 1e6));
       const double eta = rnd.coin() ? rnd.log_uniform(1e-13, 1e13) : 0.0;
       const Film f =
           make_film(eta, rnd.log_uniform(1e-2, 2.0), rnd.coin() ? Range::CUT : Range::SHIFTED, 0.6);

@@ -3,6 +3,7 @@
 #ifndef KERNEL_TEST_TOOLS_H
 #define KERNEL_TEST_TOOLS_H
 
+#include "lubcontact_effects.h"
 #include "lubcontact_vec3.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +79,7 @@ struct WaveVector {
   Vec3 operator()(double t) const { return {x(t), y(t), z(t)}; }
 };
 
-// Calls f(std::integral_constant<unsigned, MASK>) for the 32 masks.
+// Calls f(std::integral_constant<unsigned, MASK>) for the 32 basic masks.
 template <class F, unsigned... MASK> void call_each(F &&f, std::integer_sequence<unsigned, MASK...>)
 {
   auto one = [&f](auto mask) {
@@ -91,6 +92,21 @@ template <class F, unsigned... MASK> void call_each(F &&f, std::integer_sequence
 template <class F> void for_each_mask(F &&f)
 {
   call_each(f, std::make_integer_sequence<unsigned, 32>{});
+}
+
+// The basic masks, and those of all the extensions.
+template <class F> void for_all_masks(F &&f)
+{
+  call_each(f, std::make_integer_sequence<unsigned, lubcontact::NUM_COMBINATIONS>{});
+}
+
+// Bits beyond the 32 basic ones, for the masks whose laws are compiled and tested in full: each
+// extension by itself and all of them, on the bare contact, squeeze, friction, and everything.
+using ExtendedMasks = std::integer_sequence<unsigned, 36, 37, 63, 64, 65, 95, 128, 129, 159, 192, 223, 229, 254, 255>;
+
+template <class F> void for_extended_masks(F &&f)
+{
+  call_each(f, ExtendedMasks{});
 }
 
 inline void expect_near(const Vec3 &a, const Vec3 &b, double tolerance)
