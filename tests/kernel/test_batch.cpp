@@ -23,9 +23,11 @@ struct Case {
          rnd.log_uniform(1e2, 1e4),
          rnd.uniform(0.0, 1.0)};
     c.normal.gap.release = eps > 0.0 && rnd.coin() ? eps * rnd.uniform(1.0, 2.0) : eps;
-    c.normal.gap.ln_release = c.normal.gap.release > eps ? std::log(c.normal.gap.release) : c.normal.gap.ln_eps;
+    c.normal.gap.ln_release = c.normal.gap.release > eps ? std::log(c.normal.gap.release)
+                                                         : c.normal.gap.ln_eps;
     if (rnd.coin()) c.normal.repulsion = {rnd.log_uniform(1e-2, 1e2), rnd.log_uniform(10.0, 1e3)};
-    const FrictionLaw laws[] = {FrictionLaw::COULOMB, FrictionLaw::STEP, FrictionLaw::SHIFT, FrictionLaw::RAMP};
+    const FrictionLaw laws[] = {FrictionLaw::COULOMB, FrictionLaw::STEP, FrictionLaw::SHIFT,
+                                FrictionLaw::RAMP};
     c.threshold = make_threshold(laws[rnd.engine() % 4], rnd.log_uniform(1e-2, 1e2));
     const double ri = rnd.uniform(0.5, 1.5), rj = rnd.uniform(0.5, 1.5);
     a = effective_radius(Radius::HARMONIC, ri, rj);

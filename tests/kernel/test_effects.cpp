@@ -6,7 +6,8 @@
 using namespace lubcontact;
 using namespace testing_tools;
 
-// Without adhesion; one letter a double, in order: g gap and its logarithm, u surface, s shear, r roll, t twist.
+// Without adhesion; one letter a double, in order: g gap and its logarithm, u surface, s shear,
+// r roll, t twist.
 static constexpr const char *LAYOUT[32] = {
     "",         "ggu",        "usss",     "ggusss",    "usss",      "ggusss",   "usss",
     "ggusss",   "urrr",       "ggurrr",   "usssrrr",   "ggusssrrr", "usssrrr",  "ggusssrrr",

@@ -42,8 +42,7 @@ template <unsigned X> Outcome follow(const LawsCase &c, int steps)
 {
   const double a = 0.7, g = 30.0, viscosity = 2.0;
   const double tau = 1.5 * PI_ * viscosity * a / g;
-  const NormalCoeffs coeffs =
-      make_coeffs(g, c.alpha * g, c.eps, c.delta, c.p * g * a, a / c.k);
+  const NormalCoeffs coeffs = make_coeffs(g, c.alpha * g, c.eps, c.delta, c.p * g * a, a / c.k);
   const Film film = c.shift > 0.0 ? make_film(viscosity, 1.0 / c.shift, Range::SHIFTED, 0.6)
                                   : make_film(viscosity, 2.0, Range::CUT, 0.6);
   const double h = c.end / steps;
@@ -80,8 +79,9 @@ struct Draw {
   {
     a = rnd.uniform(0.3, 3.0);
     const double g = 1e3, eps = rnd.log_uniform(1e-4, 0.1);
-    c = make_coeffs(g, g * rnd.log_uniform(1e-2, 1e2), eps, rnd.coin() ? eps * rnd.uniform(0, 2) : 0,
-                    g * a * rnd.log_uniform(1e-5, 1.0), a * rnd.log_uniform(1e-3, 0.1));
+    c = make_coeffs(g, g * rnd.log_uniform(1e-2, 1e2), eps,
+                    rnd.coin() ? eps * rnd.uniform(0, 2) : 0, g * a * rnd.log_uniform(1e-5, 1.0),
+                    a * rnd.log_uniform(1e-3, 0.1));
     un = rnd.uniform(-2.0, 5.0) * eps;
     const double u = eps * rnd.log_uniform(1e-2, 10.0);
     gap = gap_of(u, u < eps || (u < c.gap.release && rnd.coin()));
@@ -189,7 +189,7 @@ TEST(Extensions, EnergyIsTheWorkOfTheForces)
 
 TEST(Adhesion, SmoothSurfacesNeverHold)
 {
-  // types of a mixture that have no asperities, in an instance with adhesion: overlapping at first sight
+  // types of a mixture that have no asperities, overlapping at first sight
   const NormalCoeffs c = make_coeffs(200.0, 400.0, 0.0, 0.0);
   for (const double eta : {0.0, 1.0}) {
     const Film f = make_film(eta, 2.0, Range::CUT, 0.6);
@@ -294,7 +294,7 @@ TEST(Adhesion, ACycleLosesTheEnergyOfTheBreak)
   EXPECT_NEAR(energy<ADHESION>(c, a, breaks, gap_of(held, true)), lost, 1e-12);
   EXPECT_NEAR(energy<ADHESION>(c, a, breaks, gap_of(breaks, false)), 0.0, 1e-15);
 
-  // and as the work of a whole cycle, dry and in an ever thinner fluid, which adds what the film takes
+  // and as the work of a whole cycle, dry and in an ever thinner fluid, whose film takes some, too
   const int steps = 20000;
   for (const double eta : {0.0, 1e-4, 1e-5}) {
     const Film f = make_film(eta, 2.0, Range::CUT, 0.6);
@@ -354,9 +354,7 @@ TEST(Extensions, AStepOfAnyLengthIsFiniteAndSettles)
     ASSERT_TRUE(std::isfinite(gap.ln_u) && gap.u >= 0.0);
     for (int n = 0; n < 200; n++) gap = next_gap<BOTH>(d.c, f, d.a, gap, d.un, d.un, 1e9);
     const double rest = elastic_gap<BOTH>(d.c, d.a, d.un, gap.bond);
-    if (rest > THINNEST) {
-      EXPECT_NEAR(gap.u, rest, 1e-9 * (rest + 1.0)) << "trial " << trial;
-    }
+    if (rest > THINNEST) { EXPECT_NEAR(gap.u, rest, 1e-9 * (rest + 1.0)) << "trial " << trial; }
     EXPECT_EQ(gap.bond, elastic_contact<BOTH>(d.c, d.a, d.un, gap.bond));
   }
 }
@@ -385,7 +383,7 @@ TEST(Extensions, SurfacesThatRestGiveNoEnergy)
 
 TEST(Repulsion, HoweverStiffDoesNotLimitTheTimeStep)
 {
-  // a mass on a repulsion F0/lambda = 1e4 g, by velocity Verlet near the limit of the bulk, 2 sqrt(m/g)
+  // a mass on a repulsion F0/lambda = 1e4 g, by velocity Verlet near the limit 2 sqrt(m/g) of the bulk
   const double g = 100.0, length = 1e-4, F0 = 1e4 * g * length;
   const NormalCoeffs c = make_coeffs(g, g, 0.0, 0.0, F0, length);
   for (const double eta : {0.0, 1e-6, 1e-3, 1.0, 1e3}) {

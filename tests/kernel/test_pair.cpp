@@ -767,9 +767,8 @@ TEST(PairLaw, IsFiniteForAnythingInEveryMask)
     Random rnd(70);
     for (int trial = 0; trial < 300; trial++) {
       const double eps = rnd.coin() ? rnd.log_uniform(1e-6, 0.1) : 0.0;
-      const PairCoeffs basic =
-          make_coeffs(1.0, rnd.log_uniform(1e-6, 1e6), eps, rnd.log_uniform(1e-6, 1e6),
-                      rnd.uniform(0.0, 2.0));
+      const PairCoeffs basic = make_coeffs(1.0, rnd.log_uniform(1e-6, 1e6), eps,
+                                           rnd.log_uniform(1e-6, 1e6), rnd.uniform(0.0, 2.0));
       const PairCoeffs c = extended(basic, eps * rnd.uniform(0.0, 1.0), rnd.log_uniform(1e-9, 1e3),
                                     rnd.log_uniform(1.0, 1e6), rnd.log_uniform(1e-6, 1e6));
       const double eta = rnd.coin() ? rnd.log_uniform(1e-13, 1e13) : 0.0;

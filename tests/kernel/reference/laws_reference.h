@@ -3,6 +3,7 @@
 #ifndef LAWS_REFERENCE_H
 #define LAWS_REFERENCE_H
 
+// clang-format off
 // Lambert's W at exp L.
 struct LambertCase {
   double L, W;
@@ -38,7 +39,6 @@ struct LawsCase {
   double y[16];                                 // ln u
 };
 
-// clang-format off
 static constexpr LawsCase LAWS_CASES[] = {
     // 0 transitions, lowest ln u -5.332, Radau differs by 5e-13
     {"smooth, repulsion",
