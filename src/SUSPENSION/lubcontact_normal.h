@@ -48,7 +48,7 @@ inline double relative_repulsion(const NormalCoeffs &c, double a, double u)
 }
 
 // Do the asperities touch at elastic rest, un over a? With ADHESION also if they have held (bond)
-// and the gap at which they would carry the load has not passed `release`. Smooth surfaces have none.
+// and the gap at which they would carry the load has not passed `release`. Smooth ones never do.
 template <unsigned X = 0>
 inline bool elastic_contact(const NormalCoeffs &c, double a, double un, [[maybe_unused]] bool bond)
 {
