@@ -22,6 +22,8 @@ static constexpr double PI = 3.14159265358979323846;
 // pairs that share a face of the tessellation.
 enum class Range { CUT, SHIFTED, VORONOI };
 
+inline constexpr const char *RANGE_NAME[] = {"cut", "shifted", "voronoi"};
+
 // Measured to be the best for its cost at volume fractions of 0.40 to 0.54: tests/validation/range.
 static constexpr Range DEFAULT_RANGE = Range::CUT;
 static constexpr double DEFAULT_REACH = 0.5;

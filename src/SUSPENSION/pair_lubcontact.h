@@ -91,6 +91,11 @@ class PairLubcontact : public Pair {
   bool uses(const std::string &) const;                                 // one of them
   void leave_out(const std::string &);                                  // from the next init() on
   std::string settings_text(const std::vector<std::string> &) const;    // typed, without some
+  std::string coeff_words(int, int) const;                              // after g and kt
+  struct SurfaceForces {
+    double critical, pull_off, repulsion;
+  };
+  SurfaceForces surface_forces(int, int, double) const;
   double viscosity() const;                    // NaN for a variable not yet evaluated
   unsigned effects() const { return mask; }    // of the last run: those of the history
   class FixNeighHistory *history() const { return fix_history; }    // or null
@@ -190,7 +195,6 @@ class PairLubcontact : public Pair {
   void check_pair(int, int) const;
   double find_reach(int, int) const;
   std::array<double **, 9> numbers() const;
-  std::string coeff_words(int, int) const;
   void check_repulsion(double) const;
   void write_pair(FILE *, int, int) const;
   void check_box() const;

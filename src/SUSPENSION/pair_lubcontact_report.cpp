@@ -229,7 +229,6 @@ void PairLubcontact::report(double pairs, double limit)
   auto yes = [](bool on) {
     return on ? "yes" : "no";
   };
-  static constexpr const char *range_name[] = {"cut", "shifted", "voronoi"};
   std::string text = "Pair style lubcontact: what this run simulates\n";
   text += fmt::format("  squeeze film   {}{}\n", yes(mode[SQUEEZE]),
                       mode[SQUEEZE] ? (euler ? ", gap euler" : ", gap exponential") : "");
@@ -241,7 +240,7 @@ void PairLubcontact::report(double pairs, double limit)
   text += fmt::format("  adhesion       {}\n", yes(mask & lubcontact::ADHESION));
   text += fmt::format("  repulsion      {}\n", yes(mask & lubcontact::REPULSION));
   text += fmt::format("  range          {} {:.6g} effective radii, radius {}\n",
-                      range_name[range_rule], hc, radius_rule ? "harmonic" : "mean");
+                      lubcontact::RANGE_NAME[range_rule], hc, radius_rule ? "harmonic" : "mean");
   text += fmt::format("  viscosity      {:.6g}{}\n", eta,
                       eta_name ? fmt::format(" now, variable {}", eta_name)
                                : (eta == 0.0 ? ": dry grains" : ""));

@@ -19,8 +19,10 @@
 
 using namespace LAMMPS_NS;
 
-const std::vector<std::string> PairLubcontact::EFFECTS = {"squeeze", "shear", "roll", "twist",
-                                                          "friction"};
+const std::vector<std::string> PairLubcontact::EFFECTS = {
+    "squeeze", "shear", "roll", "twist", "friction", "critical load", "adhesion", "repulsion"};
+
+static constexpr int COULOMB = static_cast<int>(lubcontact::FrictionLaw::COULOMB);
 
 /* ---------------------------------------------------------------------- */
 
@@ -29,8 +31,13 @@ bool PairLubcontact::uses(const std::string &effect) const
   for (int m = 0; m < NUM_MODES; m++)
     if (effect == EFFECTS[m]) return mode[m] != 0;
   for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++)
-      if (setflag[i][j] && coulomb[i][j] && friction[i][j] > 0.0) return true;
+    for (int j = i; j <= atom->ntypes; j++) {
+      if (!setflag[i][j]) continue;
+      if (effect == "friction" && law[i][j] && friction[i][j] > 0.0) return true;
+      if (effect == "critical load" && law[i][j] > COULOMB && critical[i][j] > 0.0) return true;
+      if (effect == "adhesion" && adhesion[i][j] > 0.0) return true;
+      if (effect == "repulsion" && repulsion[i][j] > 0.0) return true;
+    }
   return false;
 }
 
@@ -40,21 +47,33 @@ void PairLubcontact::leave_out(const std::string &effect)
 {
   for (int m = 0; m < NUM_MODES; m++)
     if (effect == EFFECTS[m]) mode[m] = 0;
-  if (effect != "friction") return;
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
-      coulomb[i][j] = 0;
-      friction[i][j] = 0.0;
+      if (effect == "friction") law[i][j] = 0;
+      if (effect == "critical load") law[i][j] = MIN(law[i][j], COULOMB);
+      if (!law[i][j]) friction[i][j] = 0.0;
+      if (law[i][j] <= COULOMB) critical[i][j] = 0.0;
+      if (effect == "adhesion") adhesion[i][j] = 0.0;
+      if (effect == "repulsion") repulsion[i][j] = screening[i][j] = 0.0;
     }
+}
+
+/* ----------------------------------------------------------------------
+   forces of the surfaces of types i and j at the effective radius a; 0: none
+------------------------------------------------------------------------- */
+
+PairLubcontact::SurfaceForces PairLubcontact::surface_forces(int i, int j, double a) const
+{
+  return {critical[i][j], asperity[i][j] * adhesion[i][j] * a, repulsion[i][j]};
 }
 
 /* ---------------------------------------------------------------------- */
 
 std::string PairLubcontact::settings_text(const std::vector<std::string> &without) const
 {
-  std::string text = fmt::format(
-      "lubcontact {} {} {}", eta_name ? std::string("v_") + eta_name : fmt::format("{}", eta),
-      range_rule == static_cast<int>(lubcontact::Range::SHIFTED) ? "shifted" : "cut", hc);
+  std::string text = fmt::format("lubcontact {} {} {}",
+                                 eta_name ? std::string("v_") + eta_name : fmt::format("{}", eta),
+                                 lubcontact::RANGE_NAME[range_rule], hc);
   if (radius_rule == static_cast<int>(lubcontact::Radius::MEAN)) text += " radius mean";
   bool on[NUM_MODES];
   for (int m = 0; m < NUM_MODES; m++) {

@@ -12,15 +12,15 @@
 namespace scene {
 
 // first slot of each part, in the order of lubcontact_effects.h, and the end
-using Slots = std::array<int, 6>;
+using Slots = std::array<int, 7>;
 
 template <unsigned MASK> constexpr Slots slots_of()
 {
   using E = lubcontact::Effects<MASK>;
-  static_assert(lubcontact::Effects<lubcontact::NUM_COMBINATIONS - 1>::HISTORY_SIZE == 10,
+  static_assert(lubcontact::Effects<lubcontact::NUM_COMBINATIONS - 1>::HISTORY_SIZE == 11,
                 "a part of the history is missing here");
-  return {E::GAP_SLOT,  E::SURFACE_SLOT, E::SHEAR_SLOT,
-          E::ROLL_SLOT, E::TWIST_SLOT,   E::HISTORY_SIZE};
+  return {E::GAP_SLOT,   E::SURFACE_SLOT, E::SHEAR_SLOT,  E::ROLL_SLOT,
+          E::TWIST_SLOT, E::BOND_SLOT,    E::HISTORY_SIZE};
 }
 
 template <std::size_t... MASK> Slots slots_of(unsigned mask, std::index_sequence<MASK...>)

@@ -186,6 +186,10 @@ void SuspensionScene::read_pair()
       scene->roughness = less(scene->roughness, roughness[i][j]);
       scene->friction = -less(-scene->friction, -friction[i][j]);
       stiffest = MAX(stiffest, MAX(g[i][j], 3.5 * kt[i][j]));
+      const auto forces = pair->surface_forces(i, j, scene->radius);
+      if (forces.critical > 0.0) scene->critical = less(scene->critical, forces.critical);
+      if (forces.pull_off > 0.0) scene->adhesion = -less(-scene->adhesion, -forces.pull_off);
+      if (forces.repulsion > 0.0) scene->repulsion = -less(-scene->repulsion, -forces.repulsion);
     }
   scene->dt_limit = pair->dt_limit;
   if (scene->dt_limit == 0.0 && stiffest > 0.0) {    // no run yet
@@ -300,7 +304,9 @@ std::string SuspensionScene::deck_lines(const Numbers &n,
     text += "\n";
   }
   const bool rubs = answer(scene::FRICTION_LAW) != scene::NOT_NEEDED && known(s.friction);
-  if (known(s.g) && known(s.roughness))
+  if (pair && atom->ntypes == 1 && rubs)
+    text += fmt::format("  pair_coeff * * {} {} {}\n", s.g, s.g, pair->coeff_words(1, 1));
+  else if (known(s.g) && known(s.roughness))
     text += fmt::format("  pair_coeff * * {0} {1} roughness {2}{3}{4}\n", s.g, s.g, s.roughness,
                         rubs ? fmt::format(" friction coulomb {}", s.friction) : "",
                         atom->ntypes > 1 ? "    # softest, smoothest, roughest of the types" : "");

@@ -43,7 +43,10 @@ static constexpr Rows ROWS[] = {{"squeeze", lubcontact::LUBRICATION_NORMAL, 2},
                                 {"shear", lubcontact::LUBRICATION_TANGENTIAL, 3},
                                 {"roll", -1, 4},
                                 {"twist", -1, 5},
-                                {"friction", lubcontact::CONTACT_TANGENTIAL, 1}};
+                                {"friction", lubcontact::CONTACT_TANGENTIAL, 1},
+                                {"critical load", -1, -1},
+                                {"adhesion", -1, 0},
+                                {"repulsion", 5, 6}};
 
 // means over the blocks that count
 struct SuspensionScene::Measured {
@@ -279,8 +282,12 @@ std::string SuspensionScene::leave_out_in_turn(const PairLubcontact *style, int 
 
   text += fmt::format("Deck lines to use: changes below {} left out\n", percent(limit));
   text += "  pair_style " + style->settings_text(idle) + "\n";
-  for (const auto &effect : idle)
+  for (const auto &effect : idle) {
     if (effect == "friction") text += "  pair_coeff ... friction none\n";
+    if (effect == "critical load") text += "  pair_coeff ... friction coulomb\n";
+    if (effect == "adhesion" || effect == "repulsion")
+      text += "  pair_coeff ... without " + effect + "\n";
+  }
   if (!undecided.empty())
     text += fmt::format("  # within its scatter undecided:{}; more steps or particles tell\n",
                         undecided);
