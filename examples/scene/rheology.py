@@ -59,8 +59,15 @@ def eta_boyer(phi):
     return mu_boyer(iv) / iv
 
 
+def phi_to_start(iv, chi_f):
+    """Volume fraction of a packing to start from under a pressure, within 0.02 of what the scene takes with friction
+    0.5 at a fraction chi_f of the contacts (examples/mu_of_iv)."""
+    smooth, rough = phi_m_chevremont(0) / (1 + 0.75 * np.sqrt(iv)), phi_m_chevremont(0.5) / (1 + 0.9 * np.sqrt(iv))
+    return min(smooth + chi_f * (rough - smooth), 0.59)
+
+
 def simulate(deck, variables, ranks=1, log="none"):
-    """Runs a deck of an example in a scratch folder; columns of its stress.txt as a dict."""
+    """Runs a deck of an example in a scratch folder; columns of its stress.txt, and contacts.txt if any, as a dict."""
     environment = dict(os.environ)
     lmp = environment.pop("LAMMPS_EXECUTABLE", None)    # the tests say which; for the tools it would be one of the user
     command = [environment["MPIRUN"], str(ranks), lmp] if lmp and "MPIRUN" in environment else \
@@ -70,7 +77,18 @@ def simulate(deck, variables, ranks=1, log="none"):
         for name, value in {"scene": HERE, "packing": HERE.parent / "packing" / "packing.lmp", **variables}.items():
             command += ["-var", name, str(value)]
         subprocess.run(command, cwd=folder, check=True, env=environment)
-        return steady.read_ave_time(Path(folder) / "stress.txt")
+        return read_run(folder)
+
+
+def read_run(folder="."):
+    """Columns of stress.txt and, if there is one, of contacts.txt, which has a line more: that of the start."""
+    data = steady.read_ave_time(Path(folder) / "stress.txt")
+    contacts = Path(folder) / "contacts.txt"
+    if contacts.exists():
+        more = steady.read_ave_time(contacts)
+        kept = np.searchsorted(more["TimeStep"], data["TimeStep"])
+        data.update({name: column[kept] for name, column in more.items() if name not in data})
+    return data
 
 
 def estimate(values):

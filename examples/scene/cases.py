@@ -1,0 +1,34 @@
+"""Tables of studies: one row a case, appended as the runs end, so that a study can be stopped and extended."""
+import csv
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+
+def read(table):
+    """Rows of the table as dicts of strings; none if there is no table yet."""
+    if not Path(table).exists():
+        return []
+    with open(table, newline="", encoding="ascii") as file:
+        return list(csv.DictReader(file))
+
+
+def run(cases, measure, table, fields, jobs=1):
+    """Appends measure(case), a dict of fields, for each case, a dict of strings, that the table lacks."""
+    names = list(cases[0]) if cases else []
+    rows = read(table)
+    done = {tuple(row[name] for name in names) for row in rows}
+    missing = [case for case in cases if tuple(case.values()) not in done]
+    with open(table, "a", newline="", encoding="ascii") as file:
+        writer = csv.DictWriter(file, fields, lineterminator="\n")
+        if not rows:
+            writer.writeheader()
+        with ThreadPoolExecutor(jobs) as pool:
+            for row in pool.map(measure, missing):
+                writer.writerow(row)
+                file.flush()
+                print("  ".join(f"{name} {value}" for name, value in row.items()), flush=True)
+
+
+def columns(rows, *names):
+    """Columns of the rows as lists of floats."""
+    return [[float(row[name]) for row in rows] for name in names]
