@@ -18,6 +18,8 @@ def run(cases, measure, table, fields, jobs=1):
     rows = read(table)
     done = {tuple(row[name] for name in names) for row in rows}
     missing = [case for case in cases if tuple(case.values()) not in done]
+    if not missing:
+        return
     with open(table, "a", newline="", encoding="ascii") as file:
         writer = csv.DictWriter(file, fields, lineterminator="\n")
         if not rows:

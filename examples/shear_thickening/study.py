@@ -28,8 +28,8 @@ NEVER = "1e9"    # load that no contact reaches: frictionless
 IVS = ["0.1", "0.03", "0.01", "0.003", "0.001"]
 LOAD, IV0 = 2.0, 0.01    # the lines of fixed pressure and of fixed rate meet here
 STRESSES = ["0.1", "0.3", "0.6", "1", "1.6", "3", "10"]    # stress*d^2/F*, d = 2
-PHIS = ["0.50", "0.54", "0.56"]
-RATES = {"0.56": ["0.01", "0.02", "0.03", "0.05"]}    # viscosity*rate*d^2/F*
+PHIS = ["0.50", "0.54", "0.55", "0.56"]
+RATES = {"0.55": ["0.006"], "0.56": ["0.0035", "0.0045", "0.002", "0.007"]}    # viscosity*rate*d^2/F*
 
 
 def pressure_cases():
@@ -57,7 +57,7 @@ def variables(case):
         return {**chosen, "Iv": case["Iv"], "phi": f"{phi:.4f}", "steps": 10000000}
     chosen["phi"] = case["phi"]
     if case["drive"] == "rate":    # hard also at the stress of the frictional branch
-        return {**chosen, "rate": 1, "stiffness": "5e6", "presheared": 2, "steps": 10000000}
+        return {**chosen, "rate": 1, "stiffness": "5e6", "presheared": 1, "steps": 10000000}
     return {**chosen, "rate": 0.02, "stokes": 0.1, "steps": 250000}
 
 
