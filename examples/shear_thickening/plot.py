@@ -47,8 +47,8 @@ def pressure_lines(rows):
     rows = sorted((row for row in rows if row["drive"] == "iv"), key=lambda row: float(row["Iv"]))
     return {"frictionless": [row for row in rows if float(row["load"]) > 1e6],
             "frictional": [row for row in rows if float(row["load"]) == 0],
-            "fixed pressure": [row for row in rows if float(row["load"]) == 2],
-            "fixed rate": [row for row in rows if abs(float(row["load"]) / float(row["Iv"]) - 200) < 1]}
+            "fixed pressure": [row for row in rows if float(row["load"]) == 6],
+            "fixed rate": [row for row in rows if abs(float(row["load"]) / float(row["Iv"]) - 600) < 1]}
 
 
 def draw_chi(ax, rows):

@@ -26,7 +26,7 @@ SEEDS = [4711, 11, 23, 37, 59]
 NEVER = "1e9"    # load that no contact reaches: frictionless
 
 IVS = ["0.1", "0.03", "0.01", "0.003", "0.001"]
-LOAD, IV0 = 2.0, 0.01    # the lines of fixed pressure and of fixed rate meet here
+LOAD, IV0 = 6.0, 0.01    # the lines of fixed pressure and of fixed rate meet here
 STRESSES = ["0.1", "0.3", "0.6", "1", "1.6", "3", "10"]    # stress*d^2/F*, d = 2
 PHIS = ["0.50", "0.54", "0.55", "0.56"]
 RATES = {"0.55": ["0.006"], "0.56": ["0.0035", "0.0045", "0.002", "0.007"]}    # viscosity*rate*d^2/F*

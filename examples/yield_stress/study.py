@@ -60,6 +60,7 @@ def main():
     parser.add_argument("--phi", default="0.5")
     parser.add_argument("--stress", nargs="*", default=["0.005", "0.01", "0.015", "0.03", "0.06", "0.12"])
     parser.add_argument("--creeping", default="1e-3", help="adhesion of those under a stress")
+    parser.add_argument("--before", default="2", help="strain at the rate 0.001 before a stress")
     parser.add_argument("--steps", default="60000")
     parser.add_argument("--particles", default="250")
     parser.add_argument("--strain", default="5")
@@ -74,7 +75,7 @@ def main():
         todo = [{"adhesion": adhesion, **common, "rate": rate, "strain": args.strain, "seed": str(seed)}
                 for seed in SEEDS[:args.seeds] for adhesion in args.adhesion for rate in args.rates]
         cases.run(todo, flow, args.table, FLOW, args.jobs)
-        todo = [{"adhesion": args.creeping, **common, "rate": "0.001", "strain": "2", "seed": str(SEEDS[0]),
+        todo = [{"adhesion": args.creeping, **common, "rate": "0.001", "strain": args.before, "seed": str(SEEDS[0]),
                  "stress": stress, "steps": args.steps} for stress in args.stress]
         cases.run(todo, creep, args.creep, CREEP, args.jobs)
     import plot    # pylint: disable=import-outside-toplevel
