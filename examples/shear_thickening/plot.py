@@ -20,7 +20,7 @@ import rheology
 D2 = 4.0    # square of the mean diameter
 DONG = 0.13    # k of J. Dong, thesis, Lund (2020), fig. 4.5, viscous discs
 LINES = {"frictionless": ("#38761d", "v"), "fixed pressure": ("#b45f06", "o"), "fixed rate": ("#741b47", "D"),
-         "frictional": ("#1f4e79", "^")}
+         "fixed lower rate": ("#c27ba0", "s"), "frictional": ("#1f4e79", "^")}
 COLORS = {"0.50": "#38761d", "0.54": "#b45f06", "0.55": "#741b47", "0.56": "#1f4e79"}
 
 
@@ -48,13 +48,15 @@ def pressure_lines(rows):
     return {"frictionless": [row for row in rows if float(row["load"]) > 1e6],
             "frictional": [row for row in rows if float(row["load"]) == 0],
             "fixed pressure": [row for row in rows if float(row["load"]) == 6],
-            "fixed rate": [row for row in rows if abs(float(row["load"]) / float(row["Iv"]) - 600) < 1]}
+            "fixed rate": [row for row in rows if abs(float(row["load"]) / float(row["Iv"]) - 600) < 1],
+            "fixed lower rate": [row for row in rows if abs(float(row["load"]) / float(row["Iv"]) - 2000) < 1]}
 
 
 def draw_chi(ax, rows):
     _, x, chi, error = reduced(rows)
-    k, missed = fitted(x, chi)
     drives = np.array([row["drive"] for row in reduced(rows)[0]])
+    steady = drives != "rate"
+    k, missed = fitted(x[steady], chi[steady])
     for drive, marker in (("iv", "o"), ("stress", "s"), ("rate", "D")):
         here = drives == drive
         if here.any():
@@ -64,7 +66,7 @@ def draw_chi(ax, rows):
     ax.plot(line, 1 - np.tanh(DONG / line), "0.5", lw=1, ls="--", label=f"Dong 2020, discs, k = {DONG}")
     ax.plot(line, 1 - np.tanh(k / line), "k", lw=1, label=f"k = {k:.3f}")
     ax.set(xscale="log", xlabel=r"$1/(\hat f Z)$,  $\hat f = F^*/(P d^2)$", ylabel=r"$\chi_f$")
-    print(f"chi_f = 1 - tanh(k f^ Z): k = {k:.3f}, misses by {missed:.3f} (rms of {len(x)} runs)")
+    print(f"chi_f = 1 - tanh(k f^ Z): k = {k:.3f}, misses by {missed:.3f} (rms of {steady.sum()} runs)")
 
 
 def draw_pressure(axes, rows):
@@ -118,7 +120,7 @@ def draw(rows, name):
     draw_flow([axes[1, 1], axes[1, 2]], rows)
     for ax in axes.flat:
         if ax.get_legend_handles_labels()[0]:
-            ax.legend(frameon=False, fontsize=7.5)
+            ax.legend(frameon=False, fontsize=7.5, **({"loc": "lower right"} if ax is axes[1, 2] else {}))
     fig.tight_layout()
     fig.savefig(name, dpi=130)
     plt.close(fig)

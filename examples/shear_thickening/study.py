@@ -26,7 +26,8 @@ SEEDS = [4711, 11, 23, 37, 59]
 NEVER = "1e9"    # load that no contact reaches: frictionless
 
 IVS = ["0.1", "0.03", "0.01", "0.003", "0.001"]
-LOAD, IV0 = 6.0, 0.01    # the lines of fixed pressure and of fixed rate meet here
+LOAD, IV0 = 6.0, 0.01    # the lines of fixed pressure and of fixed rate meet here,
+SLOW = 0.003             # and here at a lower rate
 STRESSES = ["0.1", "0.3", "0.6", "1", "1.6", "3", "10"]    # stress*d^2/F*, d = 2
 PHIS = ["0.50", "0.54", "0.55", "0.56"]
 RATES = {"0.55": ["0.006"], "0.56": ["0.0035", "0.0045", "0.002", "0.007"]}    # viscosity*rate*d^2/F*
@@ -34,6 +35,7 @@ RATES = {"0.55": ["0.006"], "0.56": ["0.0035", "0.0045", "0.002", "0.007"]}    #
 
 def pressure_cases():
     lines = [("0.01", str(load)) for load in (1, 4, 8)]
+    lines += [(iv, f"{LOAD * float(iv) / SLOW:g}") for iv in ("0.03", "0.01", "0.001")]
     for iv in IVS:
         lines += [(iv, load) for load in ("0", NEVER, f"{LOAD:g}", f"{LOAD * float(iv) / IV0:g}")]
     return [{"drive": "iv", "Iv": iv, "phi": "", "before": load, "load": load} for iv, load in dict.fromkeys(lines)]
@@ -56,8 +58,9 @@ def variables(case):
         phi = rheology.phi_to_start(float(case["Iv"]), 1 - np.tanh(0.13 * float(case["load"])))
         return {**chosen, "Iv": case["Iv"], "phi": f"{phi:.4f}", "steps": 10000000}
     chosen["phi"] = case["phi"]
-    if case["drive"] == "rate":    # hard also at the stress of the frictional branch
-        return {**chosen, "rate": 1, "stiffness": "5e6", "presheared": 1, "steps": 10000000}
+    if case["drive"] == "rate":    # hard also at the stress of the branch, and in a packing that starts frictional
+        stiffness = "5e7" if case["before"] == "0" else "5e6"
+        return {**chosen, "rate": 1, "stiffness": stiffness, "presheared": 1, "steps": 10000000}
     return {**chosen, "rate": 0.02, "stokes": 0.1, "steps": 250000}
 
 

@@ -15,7 +15,7 @@ from scipy.optimize import curve_fit
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "scene"))
 import cases
 
-COLORS = ["#1f4e79", "#b45f06", "#38761d", "#741b47", "0.4"]
+COLORS = ["#1f4e79", "#b45f06", "#38761d", "#741b47", "0.4"]    # from the last curve to the first
 UNKNOWN = 0.1    # relative error of a run that is too short to tell it
 
 
@@ -43,7 +43,7 @@ def fit(rate, stress, error):
 
 
 def draw_curves(axes, rows):
-    for ((adhesion, stiffness), (rate, stress, error)), color in zip(curves(rows).items(), COLORS[::-1]):
+    for ((adhesion, stiffness), (rate, stress, error)), color in zip(curves(rows).items(), COLORS[::-1] + ["k"]):
         pull = float(adhesion) * float(stiffness)
         label = "no adhesion" if pull == 0 else rf"$\delta$ = {adhesion}, $k$ = {stiffness}"
         axes[0].errorbar(rate, stress, error, fmt="o", ms=4, color=color, label=label)
