@@ -71,8 +71,9 @@ def draw(rows, name):
     axes[0].set(xlabel="fraction of rough particles $x$", ylabel=r"$\chi_f$")
     axes[1].set(xlabel=r"$\chi_f$, or share of the load", ylabel=r"$\phi$")
     axes[2].set(xlabel=r"$\chi_f$, or share of the load", ylabel=r"$\mu$", yscale="log")
-    for ax in axes:
-        ax.legend(frameon=False, fontsize=8)
+    axes[1].set(ylim=(0.38, None))
+    for ax, place in zip(axes, ("upper left", "lower left", "lower right")):
+        ax.legend(frameon=False, fontsize=8, loc=place)
     fig.tight_layout()
     fig.savefig(name, dpi=140)
     plt.close(fig)
