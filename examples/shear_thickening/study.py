@@ -82,7 +82,7 @@ def main():
     parser.add_argument("--parts", nargs="+", default=["pressure", "stress", "rate"])
     parser.add_argument("--only", type=int, help="the first cases of each part")
     parser.add_argument("--particles", default="250")
-    parser.add_argument("--strain", default="5")
+    parser.add_argument("--strain", default="5", help="of part rate at most 3")
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--table", default=str(HERE / "study.csv"))
@@ -90,7 +90,8 @@ def main():
     args = parser.parse_args()
     if not args.draw:
         parts = {"pressure": pressure_cases(), "stress": stress_cases(), "rate": rate_cases()}
-        todo = [{**case, "N": args.particles, "strain": args.strain, "seed": str(seed)}
+        strain = {part: args.strain if part != "rate" or float(args.strain) < 3 else "3" for part in parts}
+        todo = [{**case, "N": args.particles, "strain": strain[part], "seed": str(seed)}
                 for seed in SEEDS[:args.seeds] for part in args.parts for case in parts[part][:args.only]]
         cases.run(todo, measure, args.table, FIELDS, args.jobs)
     import plot    # pylint: disable=import-outside-toplevel

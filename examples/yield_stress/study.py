@@ -1,7 +1,7 @@
 """Flow curves with and without adhesion and the creep under a stress: runs of in.yield_stress, tables and figure.
 
-usage: tools/python.sh study.py [--rates 0.01 ... 3e-5] [--adhesion 0 5e-4 1e-3 2e-3] [--stress 0.1 ...] [--particles 300]
-                                [--strain 5] [--seeds 1] [--jobs 1] [--table flow.csv] [--creep creep.csv] [--draw]
+usage: tools/python.sh study.py [--adhesion 1e-3 ... --stiffness 1e3 --strain 5 --rates 0.01 ...] [--stress 0.005 ...]
+                                [--particles 250] [--seeds 1] [--jobs 1] [--table flow.csv] [--creep creep.csv] [--draw]
 Appends to the tables and skips the cases they already hold. --draw only draws what they hold.
 """
 import argparse
@@ -19,6 +19,10 @@ PARTS = ["contact_n", "contact_t", "film_n", "film_t"]
 CASE = ["adhesion", "stiffness", "phi", "rate", "N", "strain", "seed"]
 FLOW = CASE + ["from", "sxy", "sxy_error", *PARTS, "pressure", "pressure_error"]
 CREEP = CASE + ["stress", "steps", "crept", "last_rate", "last_rate_error"]
+ALL = ["0.01", "0.003", "0.001", "3e-4", "1e-4", "3e-5"]
+# adhesion, stiffness, strain, rates of the curves in flow.csv
+CURVES = [("1e-3", "1e3", "5", ALL), ("0", "1e3", "5", ["0.01", "0.001"]), ("2e-3", "1e3", "4", ALL[:5]),
+          ("5e-4", "1e3", "4", ALL[:5]), ("5e-3", "200", "4", ALL[1:5])]
 SEEDS = [4711, 11, 23, 37, 59]
 
 
@@ -54,8 +58,8 @@ def creep(case):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--rates", nargs="*", default=["0.01", "0.003", "0.001", "3e-4", "1e-4", "3e-5"])
-    parser.add_argument("--adhesion", nargs="+", default=["0", "1e-3", "5e-4", "2e-3"])
+    parser.add_argument("--rates", nargs="*", default=ALL)
+    parser.add_argument("--adhesion", nargs="+", help="other curves than those of flow.csv, with --stiffness, --strain, --rates")
     parser.add_argument("--stiffness", default="1e3")
     parser.add_argument("--phi", default="0.5")
     parser.add_argument("--stress", nargs="*", default=["0.005", "0.01", "0.015", "0.03", "0.06", "0.12"])
@@ -70,12 +74,13 @@ def main():
     parser.add_argument("--creep", default=str(HERE / "creep.csv"))
     parser.add_argument("--draw", action="store_true")
     args = parser.parse_args()
-    common = {"stiffness": args.stiffness, "phi": args.phi, "N": args.particles}
+    common = {"phi": args.phi, "N": args.particles}
+    curves = [(a, args.stiffness, args.strain, args.rates) for a in args.adhesion] if args.adhesion else CURVES
     if not args.draw:
-        todo = [{"adhesion": adhesion, **common, "rate": rate, "strain": args.strain, "seed": str(seed)}
-                for seed in SEEDS[:args.seeds] for adhesion in args.adhesion for rate in args.rates]
+        todo = [{"adhesion": adhesion, "stiffness": stiffness, **common, "rate": rate, "strain": strain, "seed": str(seed)}
+                for seed in SEEDS[:args.seeds] for adhesion, stiffness, strain, rates in curves for rate in rates]
         cases.run(todo, flow, args.table, FLOW, args.jobs)
-        todo = [{"adhesion": args.creeping, **common, "rate": "0.001", "strain": args.before, "seed": str(SEEDS[0]),
+        todo = [{"adhesion": args.creeping, "stiffness": args.stiffness, **common, "rate": "0.001", "strain": args.before, "seed": str(SEEDS[0]),
                  "stress": stress, "steps": args.steps} for stress in args.stress]
         cases.run(todo, creep, args.creep, CREEP, args.jobs)
     import plot    # pylint: disable=import-outside-toplevel

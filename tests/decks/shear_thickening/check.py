@@ -30,6 +30,8 @@ deck.expect("more than twice as viscous under a high stress", thick > 2 * thin, 
 deck.run_example("shear_thickening", N=120, drive="rate", rate=1, phi=0.5, load=1e9, before=0, presheared=0.3, strain=0.2)
 data = rheology.read_run()
 deck.expect("nothing rubs under a load that is never reached", np.all(data["v_chi_f"] == 0))
+deck.expect("nor does any contact carry a tangential force", np.all(np.abs(data["v_contact_t"]) < 1e-9),
+            f"{np.abs(data['v_contact_t']).max():.1e}")
 deck.expect("contacts of the first part are still there", data["v_Z"][0] > 1, f"{data['v_Z'][0]:.2f}")
 deck.draw_example("shear_thickening", "run.png", options=["--from", "0.35"])
 
