@@ -23,7 +23,8 @@ def balance(dt, **case):
 
 ALL = {"contact": "friction clm shift 0.5 0.5 adhesion 0.005 repulsion 2 0.02"}
 CASES = ({}, {"newton": "off"}, {"dim": 2}, {"density": 5}, {"keywords": "squeeze no", **ALL},
-         {"keywords": "shear no roll no twist no"}, {"flow": "deform/rheometer rate 1 pressure 20"})
+         {"keywords": "shear no roll no twist no"}, {"more": "fix drag all drag/background 1 cell", "density": 5},
+         {"flow": "deform/rheometer rate 1 pressure 20"})
 for case in CASES:
     dim = case.get("dim", 3)
     deck.make_state(dim=dim, phi=0.5 if dim == 3 else 0.75, density=case.get("density", 0.05))
@@ -32,6 +33,12 @@ for case in CASES:
     deck.expect("    no origin makes energy", np.all(np.sum(heat, axis=0) >= 0))
     fine, _, _ = balance(1.25e-4, fraction=0.25, steps=4000, **case)
     deck.expect("    the balance closes, to second order or nearly", fine < min(0.3 * defect, 1e-4), f"{defect:.1e} {fine:.1e}")
+
+# without inertia, below the limit of the step that the drag sets
+deck.make_state()
+defect, share, heat = balance(1.25e-4, fraction=0.25, steps=2000, overdamped="yes")
+deck.expect("    the balance closes", defect < 1e-4, f"{defect:.1e}")
+deck.expect("    no origin makes energy, drag takes part", np.all(np.sum(heat, axis=0) >= 0) and share[7] > 0.01, f"{share[7]:.3g}")
 
 # forces that end abruptly take the energy of their springs with them
 deck.make_state()
