@@ -54,6 +54,14 @@ def time_of(text):
     return seconds / int(steps) / int(particles) * 1e9
 
 
+def mean(values):
+    """Mean and its error; a run with too few independent values has no error."""
+    try:
+        return tuple(steady.mean_error(values))[:2]
+    except steady.TooShort:
+        return values.mean(), float("nan")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--strain", type=float, default=6.0)
@@ -67,16 +75,16 @@ def main():
         times = {name: [] for name in RUNGS}
         rows = []
         for number in range(arguments.rounds):
-            for name, (modes, contact, more) in RUNGS.items():
+            for name, (style, contact, more) in RUNGS.items():
                 last = number == arguments.rounds - 1
                 strain = arguments.strain if last else 0
-                text = run(folder, ("modes", modes), ("contact", contact), ("more", more), ("strain", strain))
+                text = run(folder, ("style", style), ("contact", contact), ("more", more), ("strain", strain))
                 times[name].append(time_of(text))
                 if not last:
                     continue
                 data = steady.read_ave_time(Path(folder) / "ladder.txt")
                 late = data["v_gamma"] > arguments.strain / 3
-                eta, z = (steady.mean_error(data[column][late]) for column in ("v_eta", "c_z"))
+                eta, z = (mean(data[column][late]) for column in ("v_eta", "c_z"))
                 rows.append({"rung": name, "ns": f"{min(times[name]):.0f}", "eta_r": f"{eta[0]:.2f}",
                              "error": f"{eta[1]:.2f}", "Z": f"{z[0]:.3f}", "error_Z": f"{z[1]:.3f}"})
                 print("  ".join(f"{key} {value}" for key, value in rows[-1].items()), flush=True)

@@ -304,9 +304,12 @@ std::string SuspensionScene::deck_lines(const Numbers &n,
     text += "\n";
   }
   const bool rubs = answer(scene::FRICTION_LAW) != scene::NOT_NEEDED && known(s.friction);
-  if (pair && atom->ntypes == 1 && rubs)
-    text += fmt::format("  pair_coeff * * {} {} {}\n", s.g, s.g, pair->coeff_words(1, 1));
-  else if (known(s.g) && known(s.roughness))
+  if (pair && pair->setflag && pair->setflag[1][1] && atom->ntypes == 1 && rubs) {
+    int dim;
+    text += fmt::format("  pair_coeff * * {} {} {}\n", s.g,
+                        static_cast<double **>(pair->extract("kt", dim))[1][1],
+                        pair->coeff_words(1, 1));
+  } else if (known(s.g) && known(s.roughness))
     text += fmt::format("  pair_coeff * * {0} {1} roughness {2}{3}{4}\n", s.g, s.g, s.roughness,
                         rubs ? fmt::format(" friction coulomb {}", s.friction) : "",
                         atom->ntypes > 1 ? "    # softest, smoothest, roughest of the types" : "");

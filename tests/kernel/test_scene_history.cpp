@@ -16,17 +16,18 @@ TEST(SceneHistory, IsCarriedOverAsItIs)
   }
 }
 
-// GAP 2, SURFACE 1, SHEAR 3, ROLL 3, TWIST 1
+// GAP 2, SURFACE 1, SHEAR 3, ROLL 3, TWIST 1, BOND 1
 TEST(SceneHistory, LeavesOutTheSlotsOfAnEffect)
 {
-  EXPECT_EQ(history_map(ALL, ALL & ~TWIST), (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
-  EXPECT_EQ(history_map(ALL, ALL & ~ROLL), (std::vector<int>{0, 1, 2, 3, 4, 5, 9}));
-  EXPECT_EQ(history_map(ALL, ALL & ~SQUEEZE), (std::vector<int>{2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(history_map(ALL, ALL & ~TWIST), (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 10}));
+  EXPECT_EQ(history_map(ALL, ALL & ~ROLL), (std::vector<int>{0, 1, 2, 3, 4, 5, 9, 10}));
+  EXPECT_EQ(history_map(ALL, ALL & ~SQUEEZE), (std::vector<int>{2, 3, 4, 5, 6, 7, 8, 9, 10}));
+  EXPECT_EQ(history_map(ALL, ALL & ~ADHESION), (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
   EXPECT_EQ(history_map(ALL, ALL & ~FRICTION), history_map(ALL, ALL));    // it shares SHEAR
   EXPECT_EQ(history_map(ALL, ALL & ~SHEAR), history_map(ALL, ALL));
 }
 
 TEST(SceneHistory, SaysWhichSlotsAreMissing)
 {
-  EXPECT_EQ(history_map(ALL & ~ROLL, ALL), (std::vector<int>{0, 1, 2, 3, 4, 5, -1, -1, -1, 6}));
+  EXPECT_EQ(history_map(ALL & ~ROLL, ALL), (std::vector<int>{0, 1, 2, 3, 4, 5, -1, -1, -1, 6, 7}));
 }

@@ -56,7 +56,7 @@ scene.expect("dense", squeeze_film="needed", shear_film="needed", rolling_film="
              friction="needed", critical_load="cannot tell", drag="not needed", particle_inertia="not needed", roughness="needed",
              Brownian_motion="cannot tell", far_hydrodynamics="not needed", fluid_inertia="cannot tell")
 scene.warns("dense", "box is small")
-deck.expect("dense: deck lines", "  pair_style lubcontact 1 cut 0.5 twist no\n  pair_coeff * * 1000000 1000000 roughness 0.01 "
+deck.expect("dense: deck lines", "  pair_style lubcontact 1 cut 0.5 twist no\n  pair_coeff * * 1000000 1000000 asperity 1000000 roughness 0.01 "
             "friction coulomb 0.5\n" in scene.lines, scene.lines)
 # Gershgorin with 12 neighbors of the smallest sphere
 limit = 2 / np.sqrt(2 * 12 * 3.5e6 / (4 / 3 * np.pi * radii.min()**3 * 0.05))
