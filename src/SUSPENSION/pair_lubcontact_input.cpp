@@ -33,6 +33,14 @@ static constexpr const char *MODE_NAME[4] = {"squeeze", "shear", "roll", "twist"
 static constexpr unsigned MODE_BIT[4] = {lubcontact::SQUEEZE, lubcontact::SHEAR, lubcontact::ROLL,
                                          lubcontact::TWIST};
 
+// Where this word is in the command, for the mark under it: hybrid shifts words, a data file has no command.
+static int place(const Input *input, const char *word)
+{
+  for (int n = 0; n < input->narg; n++)
+    if (input->arg[n] == word) return n;
+  return Error::NOPOINTER;
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::allocate()
@@ -55,7 +63,10 @@ void PairLubcontact::allocate()
   memory->create(coeffs, n, n, "pair:coeffs");
   memory->create(reach, n, n, "pair:reach");
   for (int i = 0; i < n; i++)
-    for (int j = 0; j < n; j++) setflag[i][j] = law[i][j] = 0;
+    for (int j = 0; j < n; j++) {
+      setflag[i][j] = law[i][j] = 0;
+      g[i][j] = 0.0;    // no coefficients: another style's pair under hybrid
+    }
   max_radius = new double[n]();
 }
 
@@ -170,7 +181,7 @@ FrictionLaw PairLubcontact::friction_law(int iarg, int narg, char **arg) const
   for (int m = 0; m < static_cast<int>(FrictionLaw::NUM_LAWS); m++)
     if (name == FRICTION_NAME[m]) return static_cast<FrictionLaw>(m);
   error->all(
-      FLERR, word,
+      FLERR, place(input, arg[word]),
       "Pair style lubcontact friction must be none, coulomb mu, or clm step, clm shift or clm "
       "ramp with mu and the critical load, but is {}",
       name);
@@ -193,8 +204,8 @@ void PairLubcontact::coeff(int narg, char **arg)
   auto number = [this, arg](int iarg, const char *name, bool zero_allowed) {
     const double value = utils::numeric(FLERR, arg[iarg], false, lmp);
     if (!(value > 0.0 || (zero_allowed && value == 0.0)) || !std::isfinite(value))
-      error->all(FLERR, iarg, "Pair style lubcontact {} must be {} 0, but is {}", name,
-                 zero_allowed ? ">=" : ">", arg[iarg]);
+      error->all(FLERR, place(input, arg[iarg]), "Pair style lubcontact {} must be {} 0, but is {}",
+                 name, zero_allowed ? ">=" : ">", arg[iarg]);
     return value;
   };
 
@@ -211,7 +222,7 @@ void PairLubcontact::coeff(int narg, char **arg)
     if (key == "roughness") {
       roughness_one = number(iarg + 1, "roughness", true);
       if (roughness_one >= hc)
-        error->all(FLERR, iarg + 1,
+        error->all(FLERR, place(input, arg[iarg + 1]),
                    "Pair style lubcontact roughness must be below the range {}, but is {}", hc,
                    roughness_one);
     } else if (key == "asperity") {
@@ -241,12 +252,12 @@ void PairLubcontact::coeff(int narg, char **arg)
       screening_one = number(iarg + 2, "screening length", false);
       iarg++;
     } else {
-      error->all(FLERR, iarg, "Unknown pair_coeff lubcontact keyword: {}", key);
+      error->all(FLERR, place(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}", key);
     }
   }
 
   if (adhesion_one > 0.0 && roughness_one == 0.0)
-    error->all(FLERR, adhesion_word,
+    error->all(FLERR, place(input, arg[adhesion_word]),
                "Pair style lubcontact adhesion is of asperities, but these types have none: give "
                "them a roughness > 0");
 

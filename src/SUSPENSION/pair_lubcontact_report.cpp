@@ -198,7 +198,7 @@ void PairLubcontact::check_repulsion(double smallest) const
   static constexpr double MOST = 1e-3;    // of the force at closed gap
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
-      if (repulsion[i][j] == 0.0) continue;
+      if (g[i][j] == 0.0 || repulsion[i][j] == 0.0) continue;
       const double left = exp(-hc * smallest / screening[i][j]);
       if (left > MOST)
         error->warning(FLERR,
@@ -249,9 +249,11 @@ void PairLubcontact::report(double pairs, double limit)
                       atom->natoms, -most[1], most[0], pairs, size_history);
   const int shown = MIN(atom->ntypes, 4);
   for (int i = 1; i <= shown; i++)
-    for (int j = i; j <= shown; j++)
+    for (int j = i; j <= shown; j++) {
+      if (g[i][j] == 0.0) continue;
       text += fmt::format("  types {} {}      g {:.6g} kt {:.6g} {}\n", i, j, g[i][j], kt[i][j],
                           coeff_words(i, j));
+    }
   if (shown < atom->ntypes) text += "  further types: see write_data pair ij\n";
   text += fmt::format("  time step      {:.6g}, {:.3g} of the stability limit {:.6g}\n", update->dt,
                       update->dt / limit, limit);

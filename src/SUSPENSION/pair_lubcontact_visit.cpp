@@ -52,6 +52,7 @@ void PairLubcontact::visit_pairs(const Visitor &visit) const
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     const int *jlist = list->firstneigh[i];
+    const char *faces_i = faces_of(i);
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = jlist[jj] & NEIGHMASK;
       if (force->special_lj[sbmask(jlist[jj])] == 0.0) continue;
@@ -62,7 +63,9 @@ void PairLubcontact::visit_pairs(const Visitor &visit) const
       const PairGeometry geometry =
           lubcontact::pair_geometry(vector(x[i]), vector(x[j]), radius[i], radius[j], a);
       const int itype = atom->type[i], jtype = atom->type[j];
-      if (!size_history && geometry.un >= reach[itype][jtype] * a) continue;
+      const bool screened = faces_i && !faces_i[jj];
+      const double end = screened ? touching_gap(coeffs[itype][jtype]) : reach[itype][jtype];
+      if (!size_history && geometry.un >= end * a) continue;
 
       const double *history = size_history ? fix_history->firstvalue[i] + size_history * jj
                                            : nullptr;
