@@ -96,7 +96,8 @@ void ComputePowerPartition::compute_array()
     }
   mine[KINETIC][1] = kinetic_energy();
   MPI_Allreduce(mine, array[0], 2 * NUM_ROWS, MPI_DOUBLE, MPI_SUM, world);
-  for (auto &fix : drags) array[DRAG][0] += fix->compute_vector(0);
+  if (pairs.front()->power_of_step)
+    for (auto &fix : drags) array[DRAG][0] += fix->compute_vector(fix->size_vector - 1);
 }
 
 /* ----------------------------------------------------------------------

@@ -52,15 +52,15 @@ static void add(const Vec3 &a, double *to)
 ------------------------------------------------------------------------- */
 
 FixDragBackground::FixDragBackground(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid(new BackgroundFluid(lmp, this, narg, arg)), sums(), power(0.0),
-    energy(0.0)
+    Fix(lmp, narg, arg), fluid(new BackgroundFluid(lmp, this, narg, arg)), sums(), mean_power(0.0),
+    power(0.0), energy(0.0)
 {
   dynamic_group_allow = 1;
   restart_global = 1;
   scalar_flag = 1;
   extscalar = 1;
   vector_flag = 1;
-  size_vector = NUM_SUMS + 1;
+  size_vector = NUM_SUMS + 2;
   extvector = 0;
   global_freq = 1;
   ecouple_flag = 1;
@@ -116,14 +116,16 @@ void FixDragBackground::setup(int /*vflag*/)
 {
   fluid->setup();
   drag_all(true);
+  mean_power = 0.0;    // no step yet
 }
 
 void FixDragBackground::post_force(int /*vflag*/)
 {
-  const double before = power;
+  const double before = power, dissipated = sums[POWER];
   fluid->new_step();
   drag_all(false);
   energy += 0.5 * update->dt * (before + power);
+  mean_power = 0.5 * (dissipated + sums[POWER]);
 }
 
 /* ----------------------------------------------------------------------
@@ -174,14 +176,16 @@ double FixDragBackground::compute_scalar()
 }
 
 /* ----------------------------------------------------------------------
-   dissipated power, force, torque, number of particles that feel the drag, hindrance
+   dissipated power, force, torque, number of particles that feel the drag, hindrance, and the
+   dissipated power as the mean of the last step
 ------------------------------------------------------------------------- */
 
 double FixDragBackground::compute_vector(int n)
 {
   if (n == NUM_SUMS) return fluid->hindrance();
+  const double mine = n < NUM_SUMS ? sums[n] : mean_power;
   double all;
-  MPI_Allreduce(&sums[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }
 

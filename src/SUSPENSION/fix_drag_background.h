@@ -47,6 +47,7 @@ class FixDragBackground : public Fix {
   std::unique_ptr<BackgroundFluid> fluid;
   SpinInertia inertia;
   double sums[NUM_SUMS];    // of this rank: see the manual
+  double mean_power;        // dissipated in the last step, of this rank
   double power;             // from the particles to the fluid, of this rank
   double energy;            // and its integral
 

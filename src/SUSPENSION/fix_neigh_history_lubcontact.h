@@ -20,13 +20,19 @@ FixStyle(NEIGH_HISTORY/LUBCONTACT,FixNeighHistoryLubcontact);
 
 namespace LAMMPS_NS {
 
-// LAMMPS' pair history, with two guards. Internal: created by pair style lubcontact.
+// LAMMPS' pair history, with guards against stale lists and against a restart with other effects. Internal: created by pair style lubcontact.
 
 class FixNeighHistoryLubcontact : public FixNeighHistory {
  public:
-  using FixNeighHistory::FixNeighHistory;
+  FixNeighHistoryLubcontact(class LAMMPS *, int, char **);
   void pre_exchange() override;
+  int pack_restart(int, double *) override;
   void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+
+ protected:
+  double layout;    // which values a pair keeps
 };
 
 }    // namespace LAMMPS_NS

@@ -55,7 +55,7 @@ FixOverdampedSphere::FixOverdampedSphere(LAMMPS *lmp, int narg, char **arg) :
   time_integrate = 1;
   restart_global = 1;
   vector_flag = 1;
-  size_vector = NUM_SUMS + 1;
+  size_vector = NUM_SUMS + 2;
   extvector = 0;
   global_freq = 1;
 }
@@ -171,14 +171,17 @@ void FixOverdampedSphere::initial_integrate(int /*vflag*/)
 }
 
 /* ----------------------------------------------------------------------
-   dissipated power, force and torque of the drag, number of particles, hindrance
+   dissipated power, force and torque of the drag, number of particles, hindrance, dissipated power
+   as the mean of the last step
 ------------------------------------------------------------------------- */
 
 double FixOverdampedSphere::compute_vector(int n)
 {
   if (n == NUM_SUMS) return fluid->hindrance();
+  // a step has one velocity: its power is the mean of the step
+  const double mine = sums[n < NUM_SUMS ? n : static_cast<int>(POWER)];
   double all;
-  MPI_Allreduce(&sums[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }
 

@@ -57,6 +57,10 @@ template <unsigned MASK> struct Effects {
   static constexpr int TWIST_SLOT = ROLL_SLOT + (roll ? 3 : 0);
   static constexpr int BOND_SLOT = TWIST_SLOT + (twist ? 1 : 0);
   static constexpr int HISTORY_SIZE = BOND_SLOT + (adhesion ? 1 : 0);
+
+  // which parts there are, in one number
+  static constexpr int LAYOUT = (gap_history ? 1 : 0) + (surface_history ? 2 : 0) +
+      (tangential ? 4 : 0) + (roll ? 8 : 0) + (twist ? 16 : 0) + (adhesion ? 32 : 0);
 };
 
 // History of (j,i) from that of (i,j).

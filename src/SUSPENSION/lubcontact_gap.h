@@ -28,7 +28,7 @@ namespace lubcontact {
 struct Gap {
   double u;
   double ln_u;
-  bool bond = false;    // ADHESION: the asperities hold
+  double bond = 0.0;    // ADHESION: the asperities hold
 };
 
 // phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s), |z| < 700.
@@ -195,7 +195,7 @@ inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un
   const double add = gap_drive<X>(law, contact);
   Gap end = law.euler ? gap_euler(old, un1 + add, A, h)
                       : gap_exponential(old, un0 + add, un1 + add, A, h);
-  end.bond = contact;
+  end.bond = contact ? 1.0 : 0.0;
   return end;
 }
 
@@ -236,7 +236,7 @@ inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, cons
 template <unsigned X = 0>
 inline bool in_contact(const GapLaw &law, const Gap &gap, double un0, double un1)
 {
-  if constexpr (X & ADHESION) return gap.bond;
+  if constexpr (X & ADHESION) return gap.bond != 0.0;
   const double drive = gap_drive<X>(law, false), stiffness = gap_stiffness<X>(law, false);
   return (gap.ln_u < law.ln_eps) |
       ((gap.ln_u == law.ln_eps) & (un0 + un1 < 2.0 * (stiffness * law.eps - drive)));
@@ -260,7 +260,7 @@ inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double u
     un0 += t * (un1 - un0);
     h *= 1.0 - t;
     contact = !contact;
-    gap = {border.u, border.ln_u, contact};
+    gap = {border.u, border.ln_u, contact ? 1.0 : 0.0};
     if (!(h > 0.0)) return gap;
     end = gap_branch<X>(law, contact, gap, un0, un1, h);
   }
@@ -287,7 +287,7 @@ inline Gap gap_step_usual(const GapLaw &law, const Gap &old, double un0, double 
   const double A = gap_stiffness<X>(law, contact);
   const double add = gap_drive<X>(law, contact);
   Gap end = gap_exponential_usual(old, un0 + add, un1 + add, A, h, usual);
-  end.bond = contact;
+  end.bond = old.bond;    // no border is crossed
   usual = usual & !crosses<X>(law, contact, end.ln_u) & !law.euler;
   return end;
 }

@@ -108,7 +108,7 @@ inline double film_steps(const NormalCoeffs &c, const Film &f, double a, const G
   const double h = dt / squeeze_coeff(f.viscosity) * (c.g * (1.0 / a));    // 1/a is at hand
   if (f.shift == 0.0) return h;
 
-  const bool contact = (X & ADHESION) ? old.bond : old.ln_u < c.gap.ln_eps;
+  const bool contact = (X & ADHESION) ? old.bond != 0.0 : old.ln_u < c.gap.ln_eps;
   const double A = gap_stiffness<X>(c.gap, contact);
   const double r = 0.5 * (un0 + un1) + gap_drive<X>(c.gap, contact);
   static constexpr double LEAST = 1e-6;    // of the resistance, so that h stays finite
@@ -151,9 +151,9 @@ inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &o
                     double un1, double dt)
 {
   if (is_dry(c, f, a, dt)) {
-    const bool bond = elastic_contact<X>(c, a, un1, old.bond);
+    const bool bond = elastic_contact<X>(c, a, un1, old.bond != 0.0);
     const double u = elastic_gap<X>(c, a, un1, bond);
-    return {u, std::log(u), bond};
+    return {u, std::log(u), bond ? 1.0 : 0.0};
   }
   if constexpr (!(X & REPULSION)) return next_gap_linear<X>(c, f, a, old, un0, un1, dt);
 

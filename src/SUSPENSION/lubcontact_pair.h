@@ -117,13 +117,14 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
                          const double *old, double *next)
 {
   Gap before{}, after{};
-  before.bond = holds<E>(old);
-  if constexpr (!E::gap_history && E::adhesion)
-    after.bond = elastic_contact<E::normal>(c.normal, g.a, g.gap, before.bond);
-  if constexpr (!E::surface_history) {
-    if constexpr (E::adhesion) next[E::BOND_SLOT] = after.bond ? 1.0 : 0.0;
-    return;
+  [[maybe_unused]] const bool held = holds<E>(old);
+  [[maybe_unused]] bool holding = false;
+  if constexpr (E::adhesion) before.bond = old[E::BOND_SLOT];
+  if constexpr (E::adhesion && !E::gap_history) {
+    holding = elastic_contact<E::normal>(c.normal, g.a, g.gap, held);
+    next[E::BOND_SLOT] = holding ? 1.0 : 0.0;
   }
+  if constexpr (!E::surface_history) return;
 
   const double un_old = old[E::SURFACE_SLOT];
   const double gap_old = un_old * g.per_a;
@@ -132,16 +133,17 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
     after = next_gap(before, gap_old, g.gap);
     next[E::GAP_SLOT] = after.u;
     next[E::GAP_SLOT + 1] = after.ln_u;
+    if constexpr (E::adhesion) next[E::BOND_SLOT] = after.bond;
+    holding = after.bond != 0.0;
   } else if constexpr (E::reads_gap) {
-    before.u = elastic_gap<E::normal>(c.normal, g.a, gap_old, before.bond);
-    after.u = elastic_gap<E::normal>(c.normal, g.a, g.gap, after.bond);
+    before.u = elastic_gap<E::normal>(c.normal, g.a, gap_old, held);
+    after.u = elastic_gap<E::normal>(c.normal, g.a, g.gap, holding);
     if constexpr (E::films) {    // friction alone needs no logarithm
       before.ln_u = logarithm(larger(1e-300, before.u));
       after.ln_u = logarithm(larger(1e-300, after.u));
     }
   }
   next[E::SURFACE_SLOT] = g.un;
-  if constexpr (E::adhesion) next[E::BOND_SLOT] = after.bond ? 1.0 : 0.0;
 
   if constexpr (E::turns || E::twist) {
     const PairMotion m = pair_motion(g, i, j, g.r - g.un + un_old, dt);
@@ -153,7 +155,7 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
       double cone = 0.0, film = 0.0;
       if constexpr (E::friction)
         cone = c.mu / c.kt *
-            frictional_load<E>(c, normal_force_of<E>(c, f, g, g.a * after.u, after.bond).contact);
+            frictional_load<E>(c, normal_force_of<E>(c, f, g, g.a * after.u, holding).contact);
       if constexpr (E::shear) film = shear_resistance(f, g.a, u, ln_u);
       const Vec3 q0 = turned(get_vector(old + E::SHEAR_SLOT), m.turn);
       put_vector(tangential(next_shear(q0, m.slip, cone, film, c.kt * dt), g.n),

@@ -63,6 +63,7 @@ class PairLubcontact : public Pair {
   // step, and stored after it
   static constexpr int NUM_ORIGINS = 7;             // lubcontact::PowerOrigin
   double heat[NUM_ORIGINS], stored[NUM_ORIGINS];    // this rank's share
+  bool power_of_step;                               // false in a set-up, which makes none
   bigint power_step;                                // step they belong to
 
   // pairs in range with their present load: i, j, weight, geometry, load
@@ -91,7 +92,8 @@ class PairLubcontact : public Pair {
   bool uses(const std::string &) const;                                 // one of them
   void leave_out(const std::string &);                                  // from the next init() on
   std::string settings_text(const std::vector<std::string> &) const;    // typed, without some
-  std::string coeff_words(int, int) const;                              // after g and kt
+  std::string coeff_words(int, int, const std::vector<std::string> &) const;    // after g and kt
+  std::string coeff_lines(const std::vector<std::string> &) const;    // pair_coeff of all types
   struct SurfaceForces {
     double critical, pull_off, repulsion;
   };
@@ -153,6 +155,7 @@ class PairLubcontact : public Pair {
   using Exchange = void (*)(const double *, double *);
   unsigned mask;
   int size_history;
+  int history_layout;    // which slots it has
   Eval eval;
   Single eval_single;
   Exchange exchange;

@@ -339,12 +339,14 @@ void PairLubcontact::choose_among(std::integer_sequence<unsigned, MASK...>)
   static constexpr Single singles[] = {&PairLubcontact::single_effects<MASK>...};
   static constexpr Exchange exchanges[] = {&lubcontact::exchange_history<Effects<MASK>>...};
   static constexpr int sizes[] = {Effects<MASK>::HISTORY_SIZE...};
+  static constexpr int layouts[] = {Effects<MASK>::LAYOUT...};
   for (std::size_t m = 0; m < sizeof...(MASK); m++) {
     if (masks[m] != mask) continue;
     eval = evals[m];
     eval_single = singles[m];
     exchange = exchanges[m];
     size_history = sizes[m];
+    history_layout = layouts[m];
   }
 }
 

@@ -252,7 +252,7 @@ void PairLubcontact::report(double pairs, double limit)
     for (int j = i; j <= shown; j++) {
       if (g[i][j] == 0.0) continue;
       text += fmt::format("  types {} {}      g {:.6g} kt {:.6g} {}\n", i, j, g[i][j], kt[i][j],
-                          coeff_words(i, j));
+                          coeff_words(i, j, {}));
     }
   if (shown < atom->ntypes) text += "  further types: see write_data pair ij\n";
   text += fmt::format("  time step      {:.6g}, {:.3g} of the stability limit {:.6g}\n", update->dt,

@@ -16,6 +16,7 @@
 #include "error.h"
 #include "lubcontact_friction.h"
 
+#include <algorithm>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -112,22 +113,32 @@ void PairLubcontact::read_restart(FILE *fp)
    keywords of pair_coeff that say what types i and j have
 ------------------------------------------------------------------------- */
 
-std::string PairLubcontact::coeff_words(int i, int j) const
+std::string PairLubcontact::coeff_words(int i, int j, const std::vector<std::string> &without) const
 {
-  std::string words = fmt::format("asperity {} roughness {} friction {}", asperity[i][j],
-                                  roughness[i][j], lubcontact::FRICTION_NAME[law[i][j]]);
-  if (law[i][j]) words += fmt::format(" {}", friction[i][j]);
-  if (law[i][j] > static_cast<int>(lubcontact::FrictionLaw::COULOMB))
-    words += fmt::format(" {}", critical[i][j]);
-  if (adhesion[i][j] > 0.0) words += fmt::format(" adhesion {}", adhesion[i][j]);
-  if (screening[i][j] > 0.0)
+  using lubcontact::FrictionLaw;
+  auto keeps = [&without](const char *effect) {
+    return std::find(without.begin(), without.end(), effect) == without.end();
+  };
+  auto friction_law = static_cast<FrictionLaw>(law[i][j]);
+  if (friction_law > FrictionLaw::COULOMB && !keeps("critical load"))
+    friction_law = FrictionLaw::COULOMB;
+  if (!keeps("friction")) friction_law = FrictionLaw::NONE;
+
+  std::string words =
+      fmt::format("asperity {} roughness {} friction {}", asperity[i][j], roughness[i][j],
+                  lubcontact::FRICTION_NAME[static_cast<int>(friction_law)]);
+  if (friction_law != FrictionLaw::NONE) words += fmt::format(" {}", friction[i][j]);
+  if (friction_law > FrictionLaw::COULOMB) words += fmt::format(" {}", critical[i][j]);
+  if (adhesion[i][j] > 0.0 && keeps("adhesion"))
+    words += fmt::format(" adhesion {}", adhesion[i][j]);
+  if (screening[i][j] > 0.0 && keeps("repulsion"))
     words += fmt::format(" repulsion {} {}", repulsion[i][j], screening[i][j]);
   return words;
 }
 
 void PairLubcontact::write_pair(FILE *fp, int i, int j) const
 {
-  fmt::print(fp, " {} {} {}\n", g[i][j], kt[i][j], coeff_words(i, j));
+  fmt::print(fp, " {} {} {}\n", g[i][j], kt[i][j], coeff_words(i, j, {}));
 }
 
 void PairLubcontact::write_data(FILE *fp)

@@ -88,6 +88,21 @@ std::string PairLubcontact::settings_text(const std::vector<std::string> &withou
 
 /* ---------------------------------------------------------------------- */
 
+std::string PairLubcontact::coeff_lines(const std::vector<std::string> &without) const
+{
+  std::string lines;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      if (!setflag || !setflag[i][j]) continue;
+      const std::string types = atom->ntypes > 1 ? fmt::format("{} {}", i, j) : "* *";
+      lines += fmt::format("  pair_coeff {} {} {} {}\n", types, g[i][j], kt[i][j],
+                           coeff_words(i, j, without));
+    }
+  return lines;
+}
+
+/* ---------------------------------------------------------------------- */
+
 double PairLubcontact::viscosity() const
 {
   return eta_name && eta == 0.0 ? NAN : eta;

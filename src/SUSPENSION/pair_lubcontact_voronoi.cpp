@@ -307,7 +307,8 @@ void PairLubcontact::tessellate()
   if (range_rule != static_cast<int>(lubcontact::Range::VORONOI) || !films) return;
 
   std::size_t total = 0;
-  first_face.assign(atom->nlocal, 0);
+  static constexpr std::size_t NO_LIST = -1;    // under hybrid: a particle of other styles
+  first_face.assign(atom->nlocal, NO_LIST);
   for (int ii = 0; ii < list->inum; ii++) {
     first_face[list->ilist[ii]] = total;
     total += list->numneigh[list->ilist[ii]];
@@ -320,6 +321,7 @@ void PairLubcontact::tessellate()
   std::vector<int> partners, corners, polygon;
   std::vector<double> areas, points;
   tessellation.each_cell([&](int i, Cell &cell) {
+    if (first_face[i] == NO_LIST) return;
     const int *jlist = list->firstneigh[i];
     for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = jj;
     cell.neighbors(partners);

@@ -15,6 +15,7 @@
 #include "error.h"
 #include "fix_deform_rheometer.h"
 #include "force.h"
+#include "group.h"
 #include "math_const.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
@@ -281,6 +282,21 @@ std::string SuspensionScene::describe(const Numbers &n) const
   return text;
 }
 
+/* ----------------------------------------------------------------------
+   a drag towards what moves the particles, if there is none yet
+------------------------------------------------------------------------- */
+
+std::string SuspensionScene::drag_line() const
+{
+  for (const char *there : {"^drag/background", "^overdamped"})
+    if (!modify->get_fix_by_style(there).empty()) return "";
+  const auto plates = modify->get_fix_by_style("^rheometer/plates");
+  if (!plates.empty())
+    return fmt::format("  fix drag {} drag/background pair plates {}\n",
+                       group->names[plates.front()->igroup], plates.front()->id);
+  return "  fix drag all drag/background pair cell\n";
+}
+
 /* ---------------------------------------------------------------------- */
 
 std::string SuspensionScene::deck_lines(const Numbers &n,
@@ -303,18 +319,19 @@ std::string SuspensionScene::deck_lines(const Numbers &n,
     for (const auto &mode : idle) text += " " + mode + " no";
     text += "\n";
   }
-  const bool rubs = answer(scene::FRICTION_LAW) != scene::NOT_NEEDED && known(s.friction);
-  if (pair && pair->setflag && pair->setflag[1][1] && atom->ntypes == 1 && rubs) {
-    int dim;
-    text += fmt::format("  pair_coeff * * {} {} {}\n", s.g,
-                        static_cast<double **>(pair->extract("kt", dim))[1][1],
-                        pair->coeff_words(1, 1));
-  } else if (known(s.g) && known(s.roughness))
-    text += fmt::format("  pair_coeff * * {0} {1} roughness {2}{3}{4}\n", s.g, s.g, s.roughness,
-                        rubs ? fmt::format(" friction coulomb {}", s.friction) : "",
-                        atom->ntypes > 1 ? "    # softest, smoothest, roughest of the types" : "");
-  if (answer(scene::DRAG) == scene::NEEDED && known(s.rate))
-    text += fmt::format("  fix drag all drag/background {} shear {}\n", s.viscosity, s.rate);
+  static constexpr scene::Effect LAWS[] = {scene::FRICTION_LAW, scene::CRITICAL_LOAD,
+                                           scene::ADHESION, scene::REPULSION};
+  std::vector<std::string> no_law;
+  for (int m = 0; m < 4; m++)
+    if (answer(LAWS[m]) == scene::NOT_NEEDED)
+      no_law.push_back(PairLubcontact::EFFECTS[PairLubcontact::EFFECTS.size() - 4 + m]);
+  if (pair)
+    text += pair->coeff_lines(no_law);
+  else if (known(s.g) && known(s.roughness))
+    text += fmt::format(
+        "  pair_coeff * * {0} {0} roughness {1}{2}\n", s.g, s.roughness,
+        no_law.empty() && known(s.friction) ? fmt::format(" friction coulomb {}", s.friction) : "");
+  if (answer(scene::DRAG) == scene::NEEDED) text += drag_line();
   if (n.step > scene::THRESHOLD[scene::STEP].value)
     text += fmt::format("  timestep {}\n", show(0.4 * s.dt_limit));
   if (answer(scene::INERTIA) == scene::NOT_NEEDED && known(n.St)) {

@@ -51,6 +51,7 @@ class SuspensionScene : public Command {
   void read_plates();
   void report() const;
   std::string describe(const scene::Numbers &) const;
+  std::string drag_line() const;
   std::string deck_lines(const scene::Numbers &, const std::vector<scene::Verdict> &) const;
 
   // advice from a run of a copy

@@ -282,12 +282,7 @@ std::string SuspensionScene::leave_out_in_turn(const PairLubcontact *style, int 
 
   text += fmt::format("Deck lines to use: changes below {} left out\n", percent(limit));
   text += "  pair_style " + style->settings_text(idle) + "\n";
-  for (const auto &effect : idle) {
-    if (effect == "friction") text += "  pair_coeff ... friction none\n";
-    if (effect == "critical load") text += "  pair_coeff ... friction coulomb\n";
-    if (effect == "adhesion" || effect == "repulsion")
-      text += "  pair_coeff ... without " + effect + "\n";
-  }
+  text += style->coeff_lines(idle);
   if (!undecided.empty())
     text += fmt::format("  # within its scatter undecided:{}; more steps or particles tell\n",
                         undecided);

@@ -40,6 +40,13 @@ defect, share, heat = balance(1.25e-4, fraction=0.25, steps=2000, overdamped="ye
 deck.expect("    the balance closes", defect < 1e-4, f"{defect:.1e}")
 deck.expect("    no origin makes energy, drag takes part", np.all(np.sum(heat, axis=0) >= 0) and share[7] > 0.01, f"{share[7]:.3g}")
 
+# a drag that has something to do: all particles start off the flow
+deck.make_state()
+drag = {"more": "fix drag all drag/background 0.3 cell", "off": 1.0}
+coarse, _, _ = balance(1e-4, fraction=0.2, steps=500, **drag)
+fine, share, _ = balance(2.5e-5, fraction=0.05, steps=2000, **drag)
+deck.expect("    the balance closes, to second order or nearly", fine < 0.3 * coarse and fine < 1e-4, f"{coarse:.1e} {fine:.1e}")
+
 # forces that end abruptly take the energy of their springs with them
 deck.make_state()
 defect, share, _ = balance(5e-4, range="cut 0.5", **ALL)

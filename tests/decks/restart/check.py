@@ -35,8 +35,9 @@ tables = deck.run("in.between", write="yes").tables()
 for name in ("PotEng", "KinEng", "Pxy"):
     deck.expect_close(f"write_restart between runs, {name}", tables[1][name], plain[1][name], rtol=1e-9)
     deck.expect_close(f"and from that file, {name}", tables[2][name], plain[1][name], rtol=1e-9)
-text = deck.run("in.other_effects", fails=True).text
-deck.expect("other effects than in the file are refused", "keep the effects it was written with" in text)
+for case in ({}, {"modes": "twist no", "contact": "adhesion 0.002"}):    # fewer values; as many, but others
+    text = deck.run("in.other_effects", fails=True, **case).text
+    deck.expect(f"{case} other effects than in the file are refused", "keep the effects it was written with" in text)
 
 # fix deform moves the cell at the end of a step, after the forces: the set-up of the restarted run sees ghosts that
 # the straight run sees one step later. What remains is of the order of what happens in one step of 5e-4.

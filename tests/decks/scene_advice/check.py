@@ -89,7 +89,7 @@ deck.expect("dry: deck lines", "pair_style lubcontact 0 cut 0.5 squeeze no shear
 # dilute
 scene = Advice(scale=1.4)
 scene.expect("dilute", drag="needed", far_hydrodynamics="beyond this package", friction="not needed")
-deck.expect("dilute: deck lines", "fix drag all drag/background 1 shear 1\n" in scene.lines and "roughness 0.01\n" in scene.lines,
+deck.expect("dilute: deck lines", "fix drag all drag/background pair cell\n" in scene.lines and "roughness 0.01 friction none\n" in scene.lines,
             scene.lines)
 
 # inertial, and so much that the films are idle
