@@ -46,7 +46,7 @@ class Run:
 
 
 def run(deck, ranks=None, fails=False, **variables):
-    """Runs CASE/deck with index variables; stops the test if it fails, or if fails=True and it does not."""
+    """Runs CASE/deck, or a deck by its full path, with index variables; stops the test if it fails, or if fails=True and it does not."""
     ranks = RANKS if ranks is None else ranks
     environment = dict(os.environ)
     lmp = environment.pop("LAMMPS_EXECUTABLE")    # for the set-up tools it would mean a LAMMPS of the user
@@ -65,7 +65,7 @@ def run(deck, ranks=None, fails=False, **variables):
 
 def make_state(**variables):
     """state.data for the decks that include sheared.lmp: 200 spheres at 0.5, or discs with dim=2, phi=0.75."""
-    run("../state.lmp", ranks=1, **variables)
+    run(ROOT / "tests" / "decks" / "state.lmp", ranks=1, **variables)
 
 
 def run_example(name, **variables):
