@@ -14,11 +14,7 @@ args=(-D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O3 -DNDEBUG" -D C
   -D BUILD_MPI=on -D BUILD_OMP=off -D PKG_GRANULAR=on -D PKG_PLUGIN=on -D PKG_COLLOID=on
   -D PKG_GRAPHICS=on    # dump image, in releases that have moved it there
   -D WITH_JPEG=off -D WITH_PNG=off -D WITH_GZIP=off -D WITH_FFMPEG=off "$@")
-if command -v ccache >/dev/null; then
-  # the same objects serve any build folder in the cache, whatever its absolute path
-  export CCACHE_DIR=$cache/ccache CCACHE_BASEDIR=$cache CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
-  args+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
-fi
+use_ccache "$cache"
 
 # Up to date if it was finished with the same compiler, arguments and precompiled headers.
 pch=$top/cmake/lammps_pch.cmake

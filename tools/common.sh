@@ -33,6 +33,13 @@ lock() {
   flock -n 9 || { say "waiting for another set-up to finish"; flock 9; }
 }
 
+# Adds to args of cmake. Objects serve any folder below this one, whatever its absolute path.
+use_ccache() {
+  command -v ccache >/dev/null || return 0
+  export CCACHE_DIR=$cache/ccache CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+  args+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+}
+
 # Silent unless it fails.
 quietly() {
   local log=$1

@@ -42,6 +42,7 @@ build_plugin() {
   local args=(-G Ninja -D LAMMPS_SOURCE_DIR="$lammps_source" -D LAMMPS_EXECUTABLE="$lammps_executable"
     -D LAMMPS_SIZES="$sizes" -D Python3_EXECUTABLE="$python"
     -D SUSPENSION_LAMMPS="$version" -D SUSPENSION_CACHE="$cache")
+  use_ccache "$top"
   lock "$build/lock"
   if [ ! -f "$build/build.ninja" ] || [ "$(cat "$build/configured" 2>/dev/null)" != "${args[*]}" ]; then
     quietly "$build/configure.log" cmake -S "$top" -B "$build" "${args[@]}"

@@ -72,7 +72,7 @@ def draw(rows, name):
     axes[1].set(xlabel=r"$\chi_f$, or share of the load", ylabel=r"$\phi$")
     axes[2].set(xlabel=r"$\chi_f$, or share of the load", ylabel=r"$\mu$", yscale="log")
     axes[1].set(ylim=(0.38, None))
-    for ax, place in zip(axes, ("upper left", "lower left", "lower right")):
+    for ax, place in zip(axes, ("upper left", "lower left")):
         ax.legend(frameon=False, fontsize=8, loc=place)
     fig.tight_layout()
     fig.savefig(name, dpi=140)

@@ -6,13 +6,12 @@ Appends to the table and skips the cases it already holds, so a study can be sto
 --draw only draws what the table holds. The defaults take about 25 minutes of one core.
 """
 import argparse
-import csv
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "scene"))
+import cases
 import rheology
 
 CASE = ["regime", "number", "friction", "N", "strain", "seed"]
@@ -41,30 +40,6 @@ def measure(case):
     return row
 
 
-def read(table):
-    if not Path(table).exists():
-        return []
-    with open(table, newline="", encoding="ascii") as file:
-        return list(csv.DictReader(file))
-
-
-def run(cases, table, jobs):
-    """Measures the cases that the table lacks; the shortest ones first."""
-    done = {tuple(row[name] for name in CASE) for row in read(table)}
-    missing = [case for case in cases if tuple(case[name] for name in CASE) not in done]
-    missing.sort(key=lambda case: -float(case["number"]) * (10 if case["regime"] == "viscous" else 1))
-    with open(table, "a", newline="", encoding="ascii") as file:
-        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
-        if not done:
-            writer.writeheader()
-        with ThreadPoolExecutor(jobs) as pool:
-            for row in pool.map(measure, missing):
-                writer.writerow(row)
-                file.flush()
-                print("{regime} {number} friction {friction} seed {seed} phi {phi} +- {phi_error}  mu {mu} +- {mu_error}"
-                      .format(**row), flush=True)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--J", nargs="*", default=["1e-3", "3e-3", "1e-2", "3e-2", "0.1"])
@@ -78,12 +53,13 @@ def main():
     parser.add_argument("--draw", action="store_true")
     args = parser.parse_args()
     if not args.draw:
-        cases = [{"regime": regime, "number": number, "friction": friction, "N": args.particles, "strain": args.strain,
+        wanted = [{"regime": regime, "number": number, "friction": friction, "N": args.particles, "strain": args.strain,
                   "seed": str(seed)} for regime, numbers in (("viscous", args.J), ("inertial", args.I))
                  for number in numbers for friction in args.friction for seed in SEEDS[:args.seeds]]
-        run(cases, args.table, args.jobs)
+        wanted.sort(key=lambda case: -float(case["number"]) * (10 if case["regime"] == "viscous" else 1))    # the shortest first
+        cases.run(wanted, measure, args.table, FIELDS, args.jobs)
     import plot    # pylint: disable=import-outside-toplevel
-    plot.draw(read(args.table), Path(args.table).with_suffix(".png"))
+    plot.draw(cases.read(args.table), Path(args.table).with_suffix(".png"))
 
 
 if __name__ == "__main__":

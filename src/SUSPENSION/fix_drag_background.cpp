@@ -97,6 +97,11 @@ void FixDragBackground::check_order() const
     const bool reads = std::any_of(std::begin(READERS), std::end(READERS), [&](const char *name) {
       return strcmp(other->style, name) == 0;
     });
+    if (strcmp(other->style, style) == 0 && fluid->count(other->groupbit))
+      error->all(FLERR,
+                 "Fixes {} and {} both drag the same particles: one drag/background each; give them "
+                 "groups without common particles",
+                 id, other->id);
     if (!reads && fluid->count(other->groupbit))
       error->all(FLERR,
                  "Fix {} {} adds forces after fix drag/background, which must know them all to "

@@ -12,6 +12,7 @@
 #include "fix_rheometer_plates.h"
 
 #include "atom.h"
+#include "background_fluid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -88,12 +89,13 @@ void FixRheometerPlates::measure_particles()
   enum { VOLUME, MASS, DIAMETER, NUMBER, PLATE, NUM };
   double mine[NUM] = {0.0, 0.0, 0.0, 0.0, 0.0}, all[NUM];
   const bool flat = domain->dimension == 2;
+  const int massless = overdamped_groups(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     const double r = atom->radius[i];
     if (atom->mask[i] & bit[UPPER]) mine[PLATE] += atom->rmass[i];
     if (!(atom->mask[i] & groupbit)) continue;
     mine[VOLUME] += M_PI * r * r * (flat ? 1.0 : 4.0 / 3.0 * r);
-    mine[MASS] += atom->rmass[i];
+    if (!(atom->mask[i] & massless)) mine[MASS] += atom->rmass[i];
     mine[DIAMETER] += 2.0 * r;
     mine[NUMBER] += 1.0;
   }

@@ -77,6 +77,10 @@ int PairLubcontact::set_range(int narg, char **arg)
   if (rule == "default") {
     range_rule = static_cast<int>(lubcontact::DEFAULT_RANGE);
     hc = lubcontact::DEFAULT_REACH;
+    if (narg > 2 && utils::is_double(arg[2]))
+      error->all(FLERR, 3,
+                 "Pair style lubcontact range default takes no number, but found {}: write cut {}",
+                 arg[2], arg[2]);
     return 2;
   }
   if (rule == "cut")

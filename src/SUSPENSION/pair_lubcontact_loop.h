@@ -71,7 +71,9 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
   const int *type = atom->type;
   const double *radius = atom->radius;
   const double *const *x = atom->x;
-  const bool screened = !faces.empty();
+  // contact alone acts without a common face: no range voronoi, no question
+  constexpr bool REACHES = E::squeeze || E::films || E::repulsion;
+  const bool screened = REACHES && !faces.empty();
   Queue queue;
 
   for (int ii = 0; ii < list->inum; ii++) {

@@ -170,6 +170,8 @@ void MaterialCommand::materials(const MaterialFile &file, std::vector<Type> &typ
                "Pair_coeff needs one material or NULL for each of the {} atom types, but has {}",
                ntypes, given);
   for (int i = 1; i <= ntypes; i++) types[i].material = file.find(arg[2 + i]);
+  if (std::none_of(types.begin(), types.end(), [](const Type &t) { return t.material; }))
+    error->all(FLERR, at(3), "Pair_coeff gives nothing: NULL stands for all {} atom types", ntypes);
 }
 
 /* ----------------------------------------------------------------------

@@ -154,6 +154,7 @@ for coeff, message, word in (
          "no material Plastik in test.lubcontact, which has: Glass Plastic Smooth Bare", "Plastik"),
         ("* * test.lubcontact Glass Plastic", "for each of the 3 atom types, but has 2", "Plastic"),
         ("* * test.lubcontact Glass soften 1e4", "for each of the 3 atom types, but has 1", "Glass"),
+        ("* * test.lubcontact NULL NULL NULL", "NULL stands for all 3 atom types", "NULL"),
         ("* * test.lubcontact Glass Glass NULL Glass", "for each of the 3 atom types, but has 4", "Glass"),
         ("* * test.lubcontact Glass Bare Smooth", "knows no roughness of Glass on Bare: add roughness", "Bare"),
         ("* * test.lubcontact Glass Bare Smooth roughness 0", "knows no friction of Glass on Bare", "Bare"),

@@ -109,6 +109,7 @@ def main():
     axes[0].set(xlabel=r"$\phi$", ylabel=r"$\eta_r$ over the mean of the references", yscale="log")
     axes[0].set_yticks([0.4, 0.6, 1, 1.5, 2, 3], labels=["0.4", "0.6", "1", "1.5", "2", "3"])
     axes[0].minorticks_off()
+    axes[0].set_ylim(0.4, 4)
     axes[0].legend(fontsize=7, frameon=False, ncol=2)
     for p, marker in zip((0.4, 0.5), "os"):
         for rule, color in COLOR.items():
