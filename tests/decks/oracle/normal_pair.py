@@ -41,7 +41,7 @@ class Pair:
                 [-self.g / self.mass, 0.0, self.g * u / self.mass],
                 [self.g / self.film, 0.0, -(self.g + touch) * u / self.film]]
 
-    def solve(self, un, v, times):
+    def solve(self, un, v, times, rtol=1e-8, method="Radau"):
         """SciPy's solution: y = un, v, ln u at the times; if the pair leaves its reach it ends there, status 1."""
         def leaves(_, state):
             return max(state[0] - self.reach, -1.0)    # -1: out of an infinite reach nothing leaves
@@ -50,8 +50,9 @@ class Pair:
         u = un    # first sight of the pair: the film carries nothing
         for _ in range(50):
             u = un + self.F0 / self.g * math.exp(-u / self.length)
-        done = solve_ivp(self.rates, (0.0, times[-1]), [un, v, math.log(u)], method="Radau",
-                         t_eval=times, rtol=1e-8, atol=[1e-11, 1e-9, 1e-9], jac=self.jacobian, events=leaves)
+        more = {"jac": self.jacobian} if method == "Radau" else {}    # a step of an explicit method has no use for it
+        done = solve_ivp(self.rates, (0.0, times[-1]), [un, v, math.log(u)], method=method, t_eval=times, rtol=rtol,
+                         atol=[1e-3 * rtol, 0.1 * rtol, 0.1 * rtol], events=leaves, **more)
         assert done.success, done.message
         return done
 
