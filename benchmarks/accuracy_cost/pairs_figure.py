@@ -1,7 +1,78 @@
-"""Figure of pairs.py: four panels, error against work and against the exact hydrodynamics."""
+"""The figure of pairs.py: error against work in two scenes, and the distance to the exact hydrodynamics."""
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-def draw(rows, known, path): pass
+
+LINES = {"exponential": "o-", "euler": "s--"}
+FALLING = {"smooth": "C0", "crushed": "C2", "g / 10": "C1", "g x 10": "C3"}
+ENCOUNTER = {"smooth": "C0", "rough": "C2", "reach 4": "C3", "meets": "C1"}
+LABEL = {"smooth": "smooth", "rough": "rough, rests on asperities", "crushed": "rough, asperities crushed",
+         "g / 10": "smooth, g / 10", "g x 10": "smooth, g x 10", "meets": "meets during the run", "reach 4": "range cut 4"}
+
+
+def curves(axes, rows, scene, settings, what, top):
+    """One line per setting and scheme; failed points are crosses at the top."""
+    for setting, color in settings.items():
+        for scheme, line in LINES.items():
+            mine = [row for row in rows if (row["scene"], row["setting"], row["gap"]) == (scene, setting, scheme)]
+            good = sorted((row["cpu_us"], row[what]) for row in mine if not row["failed"])
+            filled = color if scheme == "exponential" else "none"
+            axes.loglog(*np.transpose(good), line, color=color, ms=4, lw=1.2, mfc=filled,
+                        label=LABEL.get(setting, setting) if scheme == "exponential" else None)
+            bad = [row["cpu_us"] for row in mine if row["failed"]]
+            axes.plot(bad, [top * (1 if scheme == "exponential" else 0.5)] * len(bad), "x" if scheme == "exponential" else "+",
+                      color=color, ms=6, clip_on=False)
+
+
+def slope(axes, x, y, order, name):
+    """A short line of that order; error falls with work."""
+    ends = np.array([x, 5 * x])
+    axes.loglog(ends, y * (ends / x)**-order, color="0.6", lw=3, alpha=0.7)
+    axes.text(x * 2.4, y * 2.4**-order, name, color="0.4", fontsize=8, va="bottom")
+
+
+def decorate(axes, title, ylabel):
+    axes.set_title(title, fontsize=10, loc="left")
+    axes.set_xlabel("work: CPU time of the pair style [microseconds]")
+    axes.set_ylabel(ylabel)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=7, loc="lower left")
+
+
+def models(axes, known):
+    """Horizontal bars: distance of gap and streamline to the exact hydrodynamics."""
+    places = np.arange(len(known))[::-1]
+    axes.plot([abs(np.log(row["least_gap"] / row["gap_exact"])) for row in known], places, "D", color="C4", ms=5,
+              label="smallest gap, |ln ratio|")
+    axes.plot([abs(row["error_y"]) for row in known], places, "o", color="C0", ms=5, label="streamline after the encounter, over a")
+    axes.set_yticks(places, [row["setting"] for row in known], fontsize=7)
+    axes.set_xscale("log")
+    axes.set_xlabel("distance to the exact hydrodynamics")
+    axes.set_title("(d) pair in shear: error of the model", fontsize=10, loc="left")
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=7, loc="lower left")
+
+
+def draw(rows, known, model_error, path):
+    """model_error: of the smallest gap (|ln ratio|) and of the streamline, in the scene of panels b and c."""
+    figure, ((a, b), (c, d)) = plt.subplots(2, 2, figsize=(11, 8.6))
+    curves(a, rows, "falling sphere", FALLING, "error_gap", 0.5)
+    slope(a, 60, 4e-4, 2, "order 2")
+    slope(a, 2000, 1.5e-2, 1, "order 1")
+    decorate(a, "(a) falling sphere: gap", "largest error of ln u")
+    for axes, what, level, letter, name in ((b, "error_least", model_error[0], "b", "smallest gap: |ln ratio|"),
+                                            (c, "error_path", model_error[1], "c", "streamline after the encounter, over a")):
+        curves(axes, rows, "pair in shear", ENCOUNTER, what, 6.0 if letter == "b" else 0.6)
+        axes.axhline(level, color="k", lw=1)
+        axes.text(0.99, level * 1.1, "error of the model, smooth", transform=axes.get_yaxis_transform(), ha="right",
+                  va="bottom", fontsize=8)
+        decorate(axes, f"({letter}) pair in shear: {name.split(':')[0].split(',')[0]}", "error of " + name)
+    slope(b, 60, 1e-5, 2, "order 2")
+    slope(c, 60, 2e-6, 2, "order 2")
+    models(d, known)
+    figure.text(0.5, 0.005, "full symbols: gap exponential; open, dashed: gap euler; crosses at the top: failed", ha="center",
+                fontsize=9)
+    figure.tight_layout(rect=(0, 0.02, 1, 1))
+    figure.savefig(path, dpi=110)
