@@ -41,7 +41,8 @@ FALLING = {
 X_START, Y_START, X_END, SPACING = -2.4, 0.5, 2.2, 0.1
 ENCOUNTER = {
     "smooth": {},
-    "rough": {"eps": 0.02, "mu": 0.5},
+    "rough": {"eps": 0.02},
+    "rough, friction": {"eps": 0.02, "mu": 0.5},
     "Ca 1e-2": {"g": 1e2},
     "Ca 1e-4": {"g": 1e4},
     "St 0.002": {"density": 0.002},
@@ -347,10 +348,10 @@ def measure(folder):
     ns = costs()
     rows = sweep(falling, ["smooth", "rough", "crushed"], FINE, COARSE)
     rows += sweep(falling, ["g / 10", "g x 10", "St 30"], FINE[:5], COARSE)
-    rows += sweep(encounter, ["smooth", "rough"], FINE, COARSE)
-    rows += sweep(encounter, list(ENCOUNTER)[2:], FINE[:4], COARSE[-4:])
+    rows += sweep(encounter, ["smooth", "rough", "rough, friction"], FINE, COARSE)
+    rows += sweep(encounter, list(ENCOUNTER)[3:], FINE[:4], COARSE[-4:])
     for row in rows:
-        row["ns_per_pair_step"] = ns[row["gap"], row["setting"] not in ("rough", "crushed")]
+        row["ns_per_pair_step"] = ns[row["gap"], row["setting"] not in ("rough", "rough, friction", "crushed")]
         row["cpu_us"] = row["steps"] * row["ns_per_pair_step"] / 1e3
     write(folder / "pairs.csv", rows)
     write(folder / "pairs_model.csv", models(ns))

@@ -7,9 +7,9 @@ import numpy as np
 
 LINES = {"exponential": "o-", "euler": "s--"}
 FALLING = {"smooth": "C0", "crushed": "C2", "g / 10": "C1", "g x 10": "C3"}
-ENCOUNTER = {"smooth": "C0", "rough": "C2", "reach 4": "C3", "meets": "C1"}
-LABEL = {"smooth": "smooth", "rough": "rough, rests on asperities", "crushed": "rough, asperities crushed",
-         "g / 10": "smooth, g / 10", "g x 10": "smooth, g x 10", "meets": "meets during the run", "reach 4": "range cut 4"}
+ENCOUNTER = {"smooth": "C0", "rough": "C2", "rough, friction": "C4", "meets": "C1"}
+LABEL = {"crushed": "rough, asperities crushed", "g / 10": "smooth, g / 10", "g x 10": "smooth, g x 10",
+         "rough": "rough, no friction", "rough, friction": "rough, friction 0.5", "meets": "smooth, comes into range in the run"}
 
 
 def curves(axes, rows, scene, settings, what, top):
@@ -30,7 +30,7 @@ def slope(axes, x, y, order, name):
     """A short line of that order; error falls with work."""
     ends = np.array([x, 5 * x])
     axes.loglog(ends, y * (ends / x)**-order, color="0.6", lw=3, alpha=0.7)
-    axes.text(x * 2.4, y * 2.4**-order, name, color="0.4", fontsize=8, va="bottom")
+    axes.annotate(name, (2.2 * x, y * 2.2**-order), (4, 2), textcoords="offset points", color="0.4", fontsize=8)
 
 
 def decorate(axes, title, ylabel):
@@ -38,7 +38,7 @@ def decorate(axes, title, ylabel):
     axes.set_xlabel("work: CPU time of the pair style [microseconds]")
     axes.set_ylabel(ylabel)
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=7, loc="lower left")
+    axes.legend(fontsize=7.5, loc="lower left")
 
 
 def models(axes, known):
@@ -52,27 +52,29 @@ def models(axes, known):
     axes.set_xlabel("distance to the exact hydrodynamics")
     axes.set_title("(d) pair in shear: error of the model", fontsize=10, loc="left")
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=7, loc="lower left")
+    axes.set_ylim(-4, len(known))
+    axes.legend(fontsize=7.5, loc="lower right")
 
 
 def draw(rows, known, model_error, path):
     """model_error: of the smallest gap (|ln ratio|) and of the streamline, in the scene of panels b and c."""
-    figure, ((a, b), (c, d)) = plt.subplots(2, 2, figsize=(11, 8.6))
+    figure, ((a, b), (c, d)) = plt.subplots(2, 2, figsize=(11, 9))
+    figure.subplots_adjust(0.07, 0.085, 0.985, 0.965, 0.3, 0.22)
     curves(a, rows, "falling sphere", FALLING, "error_gap", 0.5)
-    slope(a, 60, 4e-4, 2, "order 2")
-    slope(a, 2000, 1.5e-2, 1, "order 1")
-    decorate(a, "(a) falling sphere: gap", "largest error of ln u")
+    slope(a, 1500, 5e-7, 2, "order 2")
+    slope(a, 2000, 5e-3, 1, "order 1")
+    decorate(a, "(a) falling sphere: gap", "largest error of ln u over the run")
     for axes, what, level, letter, name in ((b, "error_least", model_error[0], "b", "smallest gap: |ln ratio|"),
                                             (c, "error_path", model_error[1], "c", "streamline after the encounter, over a")):
         curves(axes, rows, "pair in shear", ENCOUNTER, what, 6.0 if letter == "b" else 0.6)
         axes.axhline(level, color="k", lw=1)
-        axes.text(0.99, level * 1.1, "error of the model, smooth", transform=axes.get_yaxis_transform(), ha="right",
-                  va="bottom", fontsize=8)
+        axes.annotate("error of the model (smooth)", (1, level), (-4, 2), xycoords=axes.get_yaxis_transform(),
+                      textcoords="offset points", ha="right", fontsize=8)
         decorate(axes, f"({letter}) pair in shear: {name.split(':')[0].split(',')[0]}", "error of " + name)
-    slope(b, 60, 1e-5, 2, "order 2")
-    slope(c, 60, 2e-6, 2, "order 2")
+    for axes in (b, c):
+        slope(axes, 120, 4e-6, 2, "order 2")
+        slope(axes, 4000, 2e-3, 1, "order 1")
     models(d, known)
-    figure.text(0.5, 0.005, "full symbols: gap exponential; open, dashed: gap euler; crosses at the top: failed", ha="center",
+    figure.text(0.5, 0.012, "full symbols: gap exponential; open, dashed: gap euler; crosses at the top: failed", ha="center",
                 fontsize=9)
-    figure.tight_layout(rect=(0, 0.02, 1, 1))
     figure.savefig(path, dpi=110)
