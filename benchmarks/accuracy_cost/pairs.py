@@ -25,16 +25,16 @@ from oracle import exact_pair, normal_pair, sheared_pair
 
 SCHEMES = "exponential", "euler"
 WEIGHT = 4 / 3 * np.pi              # of the falling sphere: lengths in a, times in eta/(a rho gravity), viscosity 1
-ROWS, EPS = 48, 0.02                # outputs of a run, roughness
+EPS = 0.02                          # roughness
 
-# name: first gap, density, stiffness g, roughness, stiffness k of the asperities, duration, which error is judged
+# name: first gap, density, stiffness g, roughness, stiffness k of the asperities, duration, outputs, which error is judged
 FALLING = {
-    "smooth": (0.1, 5e-3, 500.0, 0.0, 500.0, 8.0, "gap"),
-    "rough": (0.025, 5e-3, 500.0, EPS, 2 * WEIGHT / EPS, 8.0, "gap"),        # rests on its asperities
-    "crushed": (0.025, 5e-3, 500.0, EPS, 0.5 * WEIGHT / EPS, 8.0, "gap"),    # too heavy for them
-    "g / 10": (0.1, 5e-3, 50.0, 0.0, 50.0, 8.0, "gap"),
-    "g x 10": (0.1, 5e-3, 5e3, 0.0, 5e3, 8.0, "gap"),
-    "St 30": (0.1, 4500.0, WEIGHT / 0.05, 0.0, WEIGHT / 0.05, 376.0, "path"),    # swings four times on its bulk spring
+    "smooth": (0.1, 5e-3, 500.0, 0.0, 500.0, 8.0, 48, "gap"),
+    "rough": (0.025, 5e-3, 500.0, EPS, 2 * WEIGHT / EPS, 8.0, 48, "gap"),        # rests on its asperities
+    "crushed": (0.025, 5e-3, 500.0, EPS, 0.5 * WEIGHT / EPS, 8.0, 48, "gap"),    # too heavy for them
+    "g / 10": (0.1, 5e-3, 50.0, 0.0, 50.0, 8.0, 48, "gap"),
+    "g x 10": (0.1, 5e-3, 5e3, 0.0, 5e3, 8.0, 48, "gap"),
+    "St 30": (0.1, 4500.0, WEIGHT / 0.05, 0.0, WEIGHT / 0.05, 376.0, 12, "path"),    # swings four times on its bulk spring
 }
 
 # lengths in a, times in 1/rate, viscosity 1; both are in range from the beginning (but for "meets") to the end
@@ -110,21 +110,21 @@ def stiffness_limit(mass, g, kt, partners=1):
 
 @functools.lru_cache(None)
 def falling_reference(name):
-    u0, density, g, eps, k, duration, _ = FALLING[name]
+    u0, density, g, eps, k, duration, rows, _ = FALLING[name]
     pair = normal_pair.Pair(4 / 3 * np.pi * density, WEIGHT, g, k, eps, normal_pair.film(1.0, 1.0))
     stiff = name == "St 30"    # where the film closes to nothing
-    times = np.linspace(0.0, duration, ROWS + 1)
+    times = np.linspace(0.0, duration, rows + 1)
     return pair.solve(u0, 0.0, times, **({"rtol": 1e-9} if stiff else {"rtol": 1e-12, "method": "DOP853"})).y
 
 
 def falling(name, scheme, fraction):
-    u0, density, g, eps, k, duration, judged = FALLING[name]
+    u0, density, g, eps, k, duration, rows, judged = FALLING[name]
     mass = 4 / 3 * np.pi * density
     limit = stiffness_limit(mass, g, g)
-    every, step = outputs_apart(duration / ROWS, fraction * limit)
+    every, step = outputs_apart(duration / rows, fraction * limit)
     run = lammps(DECKS / "falling_sphere" / "in.falling_sphere", density=density, g=g, k=k, eps=eps, u0=u0, gap=scheme,
-                 duration=duration, rows=ROWS, courant=step / np.sqrt(mass / (2 * g)) * (1 + 1e-9))
-    row = {"scene": "falling sphere", "setting": name, "gap": scheme, "dt_over_limit": step / limit, "steps": every * ROWS}
+                 duration=duration, rows=rows, courant=step / np.sqrt(mass / (2 * g)) * (1 + 1e-9))
+    row = {"scene": "falling sphere", "setting": name, "gap": scheme, "dt_over_limit": step / limit, "steps": every * rows}
     failed = why(run)
     if not failed:
         table, reference = run.thermo(), falling_reference(name)
@@ -238,8 +238,8 @@ def sweep(scene, names, fine, coarse):
     return rows
 
 
-def order(rows, what, below=0.35):
-    """Slope of the error against the step where the steps are below that fraction of the limit; NaN without three points."""
+def order(rows, what, below=0.15):
+    """Slope of the error against the step where the steps are below that fraction of the limit; NaN without two points."""
     points = [(row["dt_over_limit"], row[what]) for row in rows if row["dt_over_limit"] < below and not row["failed"]]
     if len(points) < 2:
         return np.nan
@@ -349,7 +349,7 @@ def measure(folder):
     rows = sweep(falling, ["smooth", "rough", "crushed"], FINE, COARSE)
     rows += sweep(falling, ["g / 10", "g x 10", "St 30"], FINE[:5], COARSE)
     rows += sweep(encounter, ["smooth", "rough", "rough, friction"], FINE, COARSE)
-    rows += sweep(encounter, list(ENCOUNTER)[3:], FINE[:4], COARSE[-4:])
+    rows += sweep(encounter, list(ENCOUNTER)[3:], FINE[:5], COARSE[-4:])
     for row in rows:
         row["ns_per_pair_step"] = ns[row["gap"], row["setting"] not in ("rough", "rough, friction", "crushed")]
         row["cpu_us"] = row["steps"] * row["ns_per_pair_step"] / 1e3

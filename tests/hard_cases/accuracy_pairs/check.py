@@ -16,8 +16,8 @@ import pairs
 for scene, name, scheme, fractions, what, expected, tolerance in (
         (pairs.falling, "crushed", "exponential", (0.1, 0.03), "error_gap", 2.0, 0.1),
         (pairs.falling, "smooth", "euler", (0.1, 0.03), "error_gap", 1.0, 0.05),
-        (pairs.encounter, "smooth", "exponential", (0.3, 0.1), "error_gap", 2.0, 0.25),
-        (pairs.encounter, "smooth", "euler", (0.3, 0.1), "error_gap", 1.0, 0.1)):
+        (pairs.encounter, "smooth", "exponential", (0.1, 0.03), "error_gap", 2.0, 0.1),
+        (pairs.encounter, "smooth", "euler", (0.1, 0.03), "error_gap", 1.0, 0.05)):
     rows = [scene(name, scheme, fraction) for fraction in fractions]
     print(f"{rows[0]['scene']}, {name}, {scheme}: errors {rows[0][what]:.2e} {rows[1][what]:.2e}")
     expect_close("  order", pairs.order(rows, what), expected, atol=tolerance)
