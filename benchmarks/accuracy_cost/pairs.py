@@ -64,7 +64,7 @@ MODELS = {
     "Ca 1e-2": {"g": 1e2}, "Ca 1e-4": {"g": 1e4},
     "St 0.002": {"density": 0.002}, "St 0.2": {"density": 0.2}, "overdamped": {"motion": "overdamped"},
     "roughness 0.005": {"eps": 0.005}, "roughness 0.02": {"eps": 0.02}, "roughness 0.05": {"eps": 0.05},
-    "roughness 0.02, friction 0.5": {"eps": 0.02, "mu": 0.5},
+    "rough 0.02, friction 0.5": {"eps": 0.02, "mu": 0.5},
 }
 ROLLS = {"rollcoeff 0.6": "rollcoeff 0.6", "rollcoeff 0.15": "rollcoeff 0.15", "rollcoeff 1.5": "rollcoeff 1.5",
          "no roll": "roll no", "no roll, no twist": "roll no twist no"}

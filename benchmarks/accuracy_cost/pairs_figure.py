@@ -30,7 +30,7 @@ def slope(axes, x, y, order, name):
     """A short line of that order; error falls with work."""
     ends = np.array([x, 5 * x])
     axes.loglog(ends, y * (ends / x)**-order, color="0.6", lw=3, alpha=0.7)
-    axes.annotate(name, (2.2 * x, y * 2.2**-order), (4, 2), textcoords="offset points", color="0.4", fontsize=8)
+    axes.annotate(name, (2.2 * x, y * 2.2**-order), (4, 3), textcoords="offset points", color="0.3", fontsize=8)
 
 
 def decorate(axes, title, ylabel):
@@ -59,9 +59,9 @@ def models(axes, known):
 def draw(rows, known, model_error, path):
     """model_error: of the smallest gap (|ln ratio|) and of the streamline, in the scene of panels b and c."""
     figure, ((a, b), (c, d)) = plt.subplots(2, 2, figsize=(11, 9))
-    figure.subplots_adjust(0.07, 0.085, 0.985, 0.965, 0.3, 0.22)
+    figure.subplots_adjust(0.07, 0.085, 0.985, 0.965, 0.32, 0.22)
     curves(a, rows, "falling sphere", FALLING, "error_gap", 0.5)
-    slope(a, 1500, 5e-7, 2, "order 2")
+    slope(a, 900, 1.2e-7, 2, "order 2")
     slope(a, 2000, 5e-3, 1, "order 1")
     decorate(a, "(a) falling sphere: gap", "largest error of ln u over the run")
     for axes, what, level, letter, name in ((b, "error_least", model_error[0], "b", "smallest gap: |ln ratio|"),
@@ -71,10 +71,12 @@ def draw(rows, known, model_error, path):
         axes.annotate("error of the model (smooth)", (1, level), (-4, 2), xycoords=axes.get_yaxis_transform(),
                       textcoords="offset points", ha="right", fontsize=8)
         decorate(axes, f"({letter}) pair in shear: {name.split(':')[0].split(',')[0]}", "error of " + name)
-    for axes in (b, c):
-        slope(axes, 120, 4e-6, 2, "order 2")
-        slope(axes, 4000, 2e-3, 1, "order 1")
+    slope(b, 1500, 2e-9, 2, "order 2")
+    slope(c, 900, 4e-9, 2, "order 2")
+    for axes, bottom in ((b, 2e-11), (c, 1e-12)):
+        slope(axes, 4000, 2e-3 if axes is b else 1.5e-3, 1, "order 1")
+        axes.set_ylim(bottom=bottom)
     models(d, known)
-    figure.text(0.5, 0.012, "full symbols: gap exponential; open, dashed: gap euler; crosses at the top: failed", ha="center",
+    figure.text(0.5, 0.012, "full symbols: gap exponential; open, dashed: gap euler; at the top what failed: x exponential, + euler", ha="center",
                 fontsize=9)
     figure.savefig(path, dpi=110)
