@@ -66,6 +66,10 @@ MODELS = {
     "roughness 0.005": {"eps": 0.005}, "roughness 0.02": {"eps": 0.02}, "roughness 0.05": {"eps": 0.05},
     "rough 0.02, friction 0.5": {"eps": 0.02, "mu": 0.5},
 }
+# what LAMMPS says last: what happened
+BLOWN_UP = {"Lost atoms": "thrown out of the box", "effective radii at step": "through the partner (the style stops)",
+            "Non-numeric": "NaN", "Out of range atoms": "thrown out of the box"}
+
 ROLLS = {"rollcoeff 0.6": "rollcoeff 0.6", "rollcoeff 0.15": "rollcoeff 0.15", "rollcoeff 1.5": "rollcoeff 1.5",
          "no roll": "roll no", "no roll, no twist": "roll no twist no"}
 
@@ -85,14 +89,13 @@ def lammps(deck, **variables):
 
 
 def why(run):
-    """How a run failed, or nothing."""
+    """How a run failed, or nothing; one that does not even begin ends the program."""
     if run.code == 0:
         return "NaN" if re.search(r"\bnan\b", run.text) else ""
-    if "Lost atoms" in run.text:
-        return "thrown out of the box"
-    if re.search(r"overlap by [\d.]+ effective radii", run.text):
-        return "through the partner (the style stops)"
-    return next((line for line in run.text.splitlines() if line.startswith("ERROR")), f"code {run.code}")
+    for words, how in BLOWN_UP.items():
+        if words in run.text:
+            return how
+    sys.exit(run.text[-2000:])
 
 
 def outputs_apart(spacing, step):
