@@ -66,12 +66,12 @@ MODELS = {
     "roughness 0.005": {"eps": 0.005}, "roughness 0.02": {"eps": 0.02}, "roughness 0.05": {"eps": 0.05},
     "rough 0.02, friction 0.5": {"eps": 0.02, "mu": 0.5},
 }
+ROLLS = {"rollcoeff 0.6": "rollcoeff 0.6", "rollcoeff 0.15": "rollcoeff 0.15", "rollcoeff 1.5": "rollcoeff 1.5",
+         "no roll": "roll no", "no roll, no twist": "roll no twist no"}
+
 # what LAMMPS says last: what happened
 BLOWN_UP = {"Lost atoms": "thrown out of the box", "effective radii at step": "through the partner (the style stops)",
             "Non-numeric": "NaN", "Out of range atoms": "thrown out of the box"}
-
-ROLLS = {"rollcoeff 0.6": "rollcoeff 0.6", "rollcoeff 0.15": "rollcoeff 0.15", "rollcoeff 1.5": "rollcoeff 1.5",
-         "no roll": "roll no", "no roll, no twist": "roll no twist no"}
 
 
 def lammps(deck, **variables):
