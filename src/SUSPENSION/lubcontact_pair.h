@@ -152,13 +152,20 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
     [[maybe_unused]] const double u = 0.5 * (before.u + after.u);
 
     if constexpr (E::tangential) {
-      double cone = 0.0, film = 0.0;
-      if constexpr (E::friction)
-        cone = c.mu / c.kt *
-            frictional_load<E>(c, normal_force_of<E>(c, f, g, g.a * after.u, holding).contact);
+      double cone0 = 0.0, cone = 0.0, film = 0.0;
+      [[maybe_unused]] auto cone_at = [&](const PairGeometry &at, double gap, bool bond) {
+        const double contact = normal_force_of<E>(c, f, at, g.a * gap, bond).contact;
+        return c.mu / c.kt * frictional_load<E>(c, contact);
+      };
+      if constexpr (E::friction) cone = cone_at(g, after.u, holding);
+      if constexpr (E::friction && E::shear) {    // without film only the end of the step counts
+        PairGeometry g0 = g;
+        g0.un = un_old;
+        cone0 = cone_at(g0, before.u, held);
+      }
       if constexpr (E::shear) film = shear_resistance(f, g.a, u, ln_u);
       const Vec3 q0 = turned(get_vector(old + E::SHEAR_SLOT), m.turn);
-      put_vector(tangential(next_shear(q0, m.slip, cone, film, c.kt * dt), g.n),
+      put_vector(tangential(next_shear(q0, m.slip, cone0, cone, film, c.kt * dt), g.n),
                  next + E::SHEAR_SLOT);
     }
     const double kr = c.kt * g.a * g.a;

@@ -17,22 +17,25 @@ enum class ContactState { NONE, STICK, SLIP };
 // q after a step.
 //   q0      elastic displacement, already turned with the pair
 //   slip    tangential displacement of the step
-//   cone    mu N/kt: longest elastic displacement that friction alone can hold; 0 without contact
+//   cone0, cone    mu N/kt before and after: longest elastic displacement that friction alone can
+//                  hold; 0 without contact
 //   resistance, stiffness_dt    of the film (0: none) and kt dt
-inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone, double resistance,
-                       double stiffness_dt)
+inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone0, double cone,
+                       double resistance, double stiffness_dt)
 {
   const Vec3 trial = q0 + slip;
   const double far = norm(trial), near = norm(q0);
 
-  // a slip that begins inside the cone sticks until the border and slips for the share
-  // (far - cone)/(far - near) of the step; only stiffness dt/resistance counts
-  const bool inside = near < cone;
-  const Relaxation f = relaxation(resistance * (inside ? far - near : 1.0),
-                                  stiffness_dt * (inside ? far - cone : 1.0));
+  // what is beyond the cone, which moves with the load, is the film's and relaxes. A slip that begins
+  // inside sticks until the border and slips for the share last/moved of the step; only
+  // stiffness dt/resistance counts
+  const double first = near - cone0, last = far - cone, moved = last - first;
+  const bool inside = (first < 0.0) & (cone > 0.0);
+  const Relaxation f =
+      relaxation(resistance * (inside ? moved : 1.0), stiffness_dt * (inside ? last : 1.0));
   // slip along the trial direction
-  const double left = larger(0.0, f.keep * (near - cone) + f.gain * (far - near));
-  const double size = cone + (inside ? f.gain * (far - cone) : left);
+  const double left = larger(0.0, f.keep * first + f.gain * moved);
+  const double size = cone + (inside ? f.gain * last : left);
   const double ratio = size / far;
   const Vec3 rubbed = (far <= cone ? 1.0 : ratio) * trial;    // stick: the film carries nothing
   return select(cone > 0.0, rubbed, f.keep * q0 + f.gain * slip);

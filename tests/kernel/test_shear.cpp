@@ -11,8 +11,8 @@ namespace {
 // x = kt dt/nu_t; infinity: no film, zero: a rigid one
 Vec3 next(const Vec3 &q0, const Vec3 &slip, double cone, double x)
 {
-  if (x == HUGE_VAL) return next_shear(q0, slip, cone, 0.0, 1.0);
-  return next_shear(q0, slip, cone, 0.7, 0.7 * std::fmax(x, 1e-30));
+  if (x == HUGE_VAL) return next_shear(q0, slip, cone, cone, 0.0, 1.0);
+  return next_shear(q0, slip, cone, cone, 0.7, 0.7 * std::fmax(x, 1e-30));
 }
 
 // dq/dt = v - (q - cone q/|q|) x outside the cone, v inside it, over unit time, by small steps of
@@ -74,6 +74,36 @@ TEST(Shear, StickTurnsIntoSlipInsideTheStep)
   // from 0.8 the cone 1.0 is reached after 0.4 of a step of 0.5; then 0.6 of it with the film
   // 1 + 0.3 gain(0.6 x), gain(2) = 0.4
   expect_near(next({0.8, 0.0, 0.0}, {0.5, 0.0, 0.0}, 1.0, 2.0 / 0.6), {1.12, 0.0, 0.0}, 1e-15);
+}
+
+TEST(Shear, SlipUnderAChangingLoadConvergesToSecondOrder)
+{
+  // cone a + b t, unit speed, slipping from the start or from where q = t meets the cone: what is
+  // beyond it follows e' = 1 - b - x e
+  for (const double start : {0.0, 0.2})
+    for (const double b : {-0.15, 0.3, 0.8}) {
+      const double a = 0.2, x = 6.0, begin = start == a ? 0.0 : (a - start) / (1.0 - b);
+      const double exact = a + b - (1.0 - b) * std::expm1(-x * (1.0 - begin)) / x;
+      double error[2];
+      for (int fine = 0; fine < 2; fine++) {
+        const int steps = fine ? 2000 : 1000;
+        double q = start;
+        for (int n = 0; n < steps; n++) {
+          const double cone0 = a + b * n / steps, cone = a + b * (n + 1) / steps;
+          q = next_shear({q, 0.0, 0.0}, {1.0 / steps, 0.0, 0.0}, cone0, cone, 0.7, 0.7 * x / steps)
+                  .x;
+        }
+        error[fine] = std::fabs(q - exact);
+      }
+      EXPECT_LT(error[1], 1e-6) << start << " " << b;
+      if (error[1] > 1e-9) { EXPECT_NEAR(error[0] / error[1], 4.0, 0.5) << start << " " << b; }
+    }
+}
+
+TEST(Shear, ContactThatIsLostLeavesAFilm)
+{
+  const Vec3 left = next_shear({0.5, 0.0, 0.0}, {0.0, 0.1, 0.0}, 1.0, 0.0, 1.0, 2.0);
+  expect_near(left, {0.2 * 0.5, 0.4 * 0.1, 0.0}, 1e-15);
 }
 
 TEST(Shear, StickThenSlipAlongALineConvergesToSecondOrder)
