@@ -23,6 +23,7 @@
 #include "update.h"
 #include "variable.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -183,8 +184,44 @@ bool BackgroundFluid::has_variables() const
 
 /* ---------------------------------------------------------------------- */
 
+std::string BackgroundFluid::settings_text() const
+{
+  std::string text;
+  for (const std::string &word : utils::split_words(words))
+    text += (text.empty() ? "" : " ") +
+        (utils::strmatch(word, "^v_") ? fmt::format("{}", value_of(word.substr(2))) : word);
+  return text;
+}
+
+double BackgroundFluid::value_of(const std::string &variable) const
+{
+  if (!evaluated)
+    error->all(
+        FLERR,
+        "Suspension_scene measure cannot copy fix {}: variable {} has no value before the first "
+        "run; add run 0",
+        fix->id, variable);
+  for (const Component &c : component)
+    if (c.per_atom && c.target.variable == variable)
+      error->all(
+          FLERR,
+          "Suspension_scene measure cannot copy fix {}: variable {} is atom-style; the advice "
+          "without the word measure works here, too",
+          fix->id, variable);
+  std::vector<RheometerTarget> targets = {eta, hindered};
+  targets.insert(targets.end(), std::begin(number), std::end(number));
+  for (const Component &c : component) targets.push_back(c.target);
+  const auto found = std::find_if(targets.begin(), targets.end(), [&](const RheometerTarget &t) {
+    return t.variable == variable;
+  });
+  return found->value;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void BackgroundFluid::new_step()
 {
+  evaluated = true;
   const bool variables = has_variables();
   if (variables) modify->clearstep_compute();
   eta.evaluate(lmp);

@@ -40,6 +40,10 @@ class BackgroundFluid : protected Pointers {
   bigint count(int bits) const;    // particles of the fix that are in another group, too
   double memory_usage() const;
 
+  // the arguments, as typed or with the present values of variables
+  const std::string &typed() const { return words; }
+  std::string settings_text() const;
+
  protected:
   enum Profile { REST, SHEAR, CELL, PLATES, COUETTE, POISEUILLE, VELOCITY };
   enum Hindrance { CONSTANT, FRACTION, MEASURED };
@@ -48,6 +52,8 @@ class BackgroundFluid : protected Pointers {
   class Fix *fix;
   std::string style;
   RheometerTarget eta;
+  std::string words;
+  bool evaluated;    // variables have values
   bool eta_of_pair;
   Profile profile;
   RheometerTarget number[NUM_NUMBERS];    // of the profile
@@ -86,6 +92,7 @@ class BackgroundFluid : protected Pointers {
   void update_hindrance();
   void update_components();
   bool has_variables() const;
+  double value_of(const std::string &) const;
 };
 
 // bits of the groups that a fix overdamped/sphere moves: their particles have no inertia

@@ -32,12 +32,14 @@ static const std::map<std::string, int> KEYWORDS = {
 /* ---------------------------------------------------------------------- */
 
 BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, int narg, char **arg) :
-    Pointers(lmp), solid(0.0), fix(owner), style(owner->style), eta_of_pair(false), profile(REST),
-    plates(nullptr), body(lubcontact::Shape::SPHERE), rule(CONSTANT), isolated(0), viscosity(0.0),
+    Pointers(lmp), solid(0.0), fix(owner), style(owner->style), evaluated(false),
+    eta_of_pair(false), profile(REST), plates(nullptr), body(lubcontact::Shape::SPHERE),
+    rule(CONSTANT), isolated(0), viscosity(0.0),
     factor(1.0), couette{0.0, 0.0, 0.0, 0.0}, poiseuille{0.0, 0.0, 0.0}
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "fix " + style, error);
   hindered.value = 1.0;
+  words = utils::join_words(std::vector<std::string>(arg + 3, arg + narg), " ");
   if (strcmp(arg[3], "pair") == 0)
     eta_of_pair = true;
   else

@@ -37,6 +37,7 @@ class FixOverdampedSphere : public Fix {
   void write_restart(FILE *) override;
   void restart(char *) override;
   double memory_usage() override;
+  const BackgroundFluid &background() const { return *fluid; }
 
  protected:
   enum { POWER, FORCE, TORQUE = FORCE + 3, NUMBER = TORQUE + 3, NUM_SUMS };

@@ -91,6 +91,11 @@ class PairLubcontact : public Pair {
   static const std::vector<std::string> EFFECTS;                        // that can be left out
   bool uses(const std::string &) const;                                 // one of them
   void leave_out(const std::string &);                                  // from the next init() on
+  struct Laws {    // their numbers; NaN: as they are
+    double friction, critical, pull_off, repulsion, screening;
+  };
+  void switch_on(const Laws &, double);    // and all films; radius of the pull-off force
+  void adopt_history(unsigned, const double *, int, int, double, double, double, double *) const;
   std::string settings_text(const std::vector<std::string> &) const;    // typed, without some
   std::string coeff_words(int, int, const std::vector<std::string> &) const;    // after g and kt
   std::string coeff_lines(const std::vector<std::string> &) const;    // pair_coeff of all types

@@ -13,6 +13,7 @@
 
 #include "atom.h"
 #include "lubcontact_pair.h"
+#include "scene_history.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,47 @@ void PairLubcontact::leave_out(const std::string &effect)
       if (effect == "adhesion") adhesion[i][j] = 0.0;
       if (effect == "repulsion") repulsion[i][j] = screening[i][j] = 0.0;
     }
+}
+
+/* ----------------------------------------------------------------------
+   pull_off is that of the effective radius a; a critical load without a law is of the law step
+------------------------------------------------------------------------- */
+
+void PairLubcontact::switch_on(const Laws &laws, double a)
+{
+  static constexpr int STEP = static_cast<int>(lubcontact::FrictionLaw::STEP);
+  auto given = [](double x) {
+    return !std::isnan(x);
+  };
+  for (int &m : mode) m = 1;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      if (!setflag[i][j]) continue;
+      if (given(laws.friction)) {
+        if (!law[i][j]) law[i][j] = COULOMB;
+        friction[i][j] = laws.friction;
+      }
+      if (given(laws.critical) && law[i][j]) {
+        if (law[i][j] == COULOMB) law[i][j] = STEP;
+        critical[i][j] = laws.critical;
+      }
+      if (given(laws.pull_off)) adhesion[i][j] = laws.pull_off / (asperity[i][j] * a);
+      if (given(laws.repulsion)) {
+        repulsion[i][j] = laws.repulsion;
+        screening[i][j] = laws.screening;
+      }
+    }
+}
+
+/* ----------------------------------------------------------------------
+   history of a pair at distance r, from one with the effects `from`
+------------------------------------------------------------------------- */
+
+void PairLubcontact::adopt_history(unsigned from, const double *old, int itype, int jtype,
+                                   double ri, double rj, double r, double *next) const
+{
+  scene::adopt_history(from, mask, coeffs[itype][jtype].normal, effective_radius(ri, rj),
+                       r - ri - rj, old, next);
 }
 
 /* ----------------------------------------------------------------------

@@ -4,8 +4,10 @@
 #define SCENE_HISTORY_H
 
 #include "lubcontact_effects.h"
+#include "lubcontact_normal.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -45,6 +47,47 @@ inline std::vector<int> history_map(unsigned from, unsigned to)
       map.push_back(there ? source[part] + m - target[part] : -1);
   }
   return map;
+}
+
+static constexpr unsigned EVERYTHING = lubcontact::NUM_COMBINATIONS - 1;
+using Whole = lubcontact::Effects<EVERYTHING>;
+
+// All slots of a pair at un that has a gap and a bond already, or null; the rest as of a pair seen for
+// the first time, with the extensions X of the normal mode.
+template <unsigned X>
+std::array<double, Whole::HISTORY_SIZE> new_slots(const lubcontact::NormalCoeffs &c, double a,
+                                                  double un, const double *gap, const double *bond)
+{
+  std::array<double, Whole::HISTORY_SIZE> slots{};
+  const bool touch = gap ? gap[0] < c.gap.eps : lubcontact::elastic_contact<X>(c, a, un / a, false);
+  const bool holds = bond ? *bond != 0.0 : touch;
+  const double u = gap ? gap[0] : lubcontact::elastic_gap<X>(c, a, un / a, holds);
+  slots[Whole::GAP_SLOT] = u;
+  slots[Whole::GAP_SLOT + 1] = std::log(u);
+  slots[Whole::SURFACE_SLOT] = un;
+  slots[Whole::BOND_SLOT] = holds ? 1.0 : 0.0;
+  return slots;
+}
+
+// History with effects `to` from `old` with effects `from`. a, un: effective radius and gap of the
+// undeformed surfaces, lengths.
+inline void adopt_history(unsigned from, unsigned to, const lubcontact::NormalCoeffs &c, double a,
+                          double un, const double *old, double *next)
+{
+  using lubcontact::ADHESION, lubcontact::REPULSION;
+  enum { GAP, SURFACE, BOND = 5 };
+  const Slots source = slots_of(from);
+  if (source[SURFACE + 1] > source[SURFACE]) un = old[source[SURFACE]];
+  const double *gap = source[GAP + 1] > source[GAP] ? old + source[GAP] : nullptr;
+  const double *bond = source[BOND + 1] > source[BOND] ? old + source[BOND] : nullptr;
+  const unsigned extensions = to & (ADHESION | REPULSION);
+  const auto fresh = extensions == 0 ? new_slots<0>(c, a, un, gap, bond)
+      : extensions == ADHESION       ? new_slots<ADHESION>(c, a, un, gap, bond)
+      : extensions == REPULSION      ? new_slots<REPULSION>(c, a, un, gap, bond)
+                                     : new_slots<ADHESION | REPULSION>(c, a, un, gap, bond);
+  const std::vector<int> map = history_map(from, to), place = history_map(EVERYTHING, to);
+  for (std::size_t m = 0; m < map.size(); m++)
+    next[m] = map[m] >= 0 ? old[map[m]] : fresh[place[m]];
 }
 
 }    // namespace scene

@@ -11,27 +11,22 @@
 
 #include "atom.h"
 #include "atom_vec.h"
+#include "background_fluid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_deform_rheometer.h"
-#include "fix_neigh_history.h"
+#include "fix_drag_background.h"
 #include "fix_nve_sphere.h"
+#include "fix_overdamped_sphere.h"
 #include "force.h"
 #include "group.h"
 #include "input.h"
-#include "irregular.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "pair_lubcontact.h"
-#include "scene_history.h"
 #include "scene_plugins.h"
 #include "update.h"
-#include "variable.h"
-
-#include <cstdio>
-#include <cstring>
-#include <memory>
 
 using namespace LAMMPS_NS;
 
@@ -58,19 +53,6 @@ struct Deformation : FixDeform {
   }
 };
 
-using File = std::unique_ptr<FILE, int (*)(FILE *)>;
-
-File scratch(LAMMPS *lmp)
-{
-  File file(lmp->comm->me == 0 ? tmpfile() : nullptr, [](FILE *fp) {
-    return fp ? fclose(fp) : 0;
-  });
-  if (lmp->comm->me == 0 && !file)
-    lmp->error->one(FLERR, "Suspension_scene cannot make a temporary file: {}",
-                    utils::getsyserror());
-  return file;
-}
-
 // fixes that only watch
 bool watches(const Fix *fix, int mask)
 {
@@ -95,6 +77,51 @@ double SceneInstance::deform_rate(LAMMPS *lmp)
 
 /* ---------------------------------------------------------------------- */
 
+const BackgroundFluid *SceneInstance::background_of(const Fix *fix)
+{
+  if (const auto *drag = dynamic_cast<const FixDragBackground *>(fix)) return &drag->background();
+  const auto *overdamped = dynamic_cast<const FixOverdampedSphere *>(fix);
+  return overdamped ? &overdamped->background() : nullptr;
+}
+
+/* ----------------------------------------------------------------------
+   with a fix that can be copied; false: it cannot
+------------------------------------------------------------------------- */
+
+static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
+{
+  std::string settings;
+  auto *sphere = dynamic_cast<FixNVESphere *>(fix);
+  auto *deform = dynamic_cast<FixDeform *>(fix);
+  const auto *rheometer = dynamic_cast<FixDeformRheometer *>(fix);
+  const BackgroundFluid *fluid = SceneInstance::background_of(fix);
+  if (fluid) {
+    settings = fluid->settings_text();
+    plan.drags.push_back(fix);
+    if (utils::strmatch(fix->style, "^overdamped")) plan.overdamped = true;
+  } else if (sphere) {
+    if (Inertia::of_disc(sphere)) settings = "disc";
+  } else if (rheometer) {
+    settings = rheometer->settings_text();
+    plan.flow = fix;
+  } else if (utils::strmatch(fix->style, "^deform$") && Deformation::only_tilts(deform)) {
+    plan.flow = fix;
+    plan.rate = SceneInstance::deform_rate(lmp);
+    if (plan.rate == 0.0)
+      lmp->error->all(FLERR,
+                      "Suspension_scene measure does not know the rate of fix {} before the first "
+                      "run: add run 0",
+                      fix->id);
+    settings = fmt::format("{} xy erate {} remap v", fix->nevery, plan.rate);
+  } else if (!utils::strmatch(fix->style, "^enforce2d$")) {
+    return false;
+  }
+  plan.fixes.push_back({fix, settings});
+  return true;
+}
+
+/* ---------------------------------------------------------------------- */
+
 SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
 {
   Error *error = lmp->error;
@@ -115,23 +142,18 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
   const auto &fixes = lmp->modify->get_fix_list();
   for (std::size_t n = 0; n < fixes.size(); n++) {
     Fix *fix = fixes[n];
-    if (utils::strmatch(fix->style, "^nve/sphere$") || utils::strmatch(fix->style, "^enforce2d$")) {
-      plan.movers.push_back(fix);
-    } else if (utils::strmatch(fix->style, "^deform/rheometer$")) {
-      plan.flow = fix;
-    } else if (utils::strmatch(fix->style, "^deform$") &&
-               Deformation::only_tilts(dynamic_cast<FixDeform *>(fix))) {
-      plan.flow = fix;
-      plan.rate = deform_rate(lmp);
-      if (plan.rate == 0.0)
-        error->all(FLERR,
-                   "Suspension_scene measure does not know the rate of fix {} before the first "
-                   "run: add run 0",
-                   fix->id);
-    } else if (!watches(fix, lmp->modify->fmask[n])) {
+    const bool copied = copy_plan(lmp, fix, plan);
+    if (copied && lmp->group->dynamic[fix->igroup])
+      error->all(FLERR, "Suspension_scene measure cannot copy the dynamic group {} of fix {}; {}",
+                 lmp->group->names[fix->igroup], fix->id, CURE);
+    if (utils::strmatch(fix->style, "^rheometer/plates"))
+      error->all(FLERR,
+                 "Suspension_scene measure works in periodic cells and cannot copy the plates of "
+                 "fix {}; {}",
+                 fix->id, CURE);
+    if (!copied && !watches(fix, lmp->modify->fmask[n]))
       error->all(FLERR, "Suspension_scene measure cannot copy fix {} of style {}; {}", fix->id,
                  fix->style, CURE);
-    }
   }
   if (!plan.flow)
     error->all(FLERR,
@@ -143,10 +165,8 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
 
 /* ---------------------------------------------------------------------- */
 
-SceneInstance::SceneInstance(LAMMPS *from, const Plan &plan,
-                             const std::vector<std::string> &without) :
-    lmp(nullptr),
-    history_kept(true), original(from)
+SceneInstance::SceneInstance(LAMMPS *from, const Plan &plan, const Effects &effects) :
+    lmp(nullptr), history_kept(true), original(from)
 {
   const char *words[] = {"lmp", "-log", "none", "-screen", "none", "-nocite"};
   lmp = new LAMMPS(6, const_cast<char **>(words), from->world);
@@ -159,8 +179,8 @@ SceneInstance::SceneInstance(LAMMPS *from, const Plan &plan,
     set_up();
     copy_box();
     copy_atoms();
-    copy_pair(plan, without);
-    copy_fixes(plan);
+    copy_pair(plan, effects);
+    copy_fixes(plan, effects);
     lmp->init();
     copy_history(plan.pair);
     migrate();
@@ -273,107 +293,4 @@ void SceneInstance::copy_atoms() const
   to->natoms = from->natoms;
   to->map_init();
   to->map_set();
-}
-
-/* ----------------------------------------------------------------------
-   by way of a restart file: whatever the pair style has is in there
-------------------------------------------------------------------------- */
-
-void SceneInstance::copy_pair(const Plan &plan, const std::vector<std::string> &without) const
-{
-  const std::string settings = plan.pair->settings_text({});
-  const std::string eta = settings.substr(11, settings.find(' ', 11) - 11);
-  if (utils::strmatch(eta, "^v_"))
-    one(fmt::format("variable {} equal {}", eta.substr(2), plan.pair->viscosity()));
-
-  one("pair_style " + settings);
-  auto *pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
-  const File file = scratch(original);
-  if (file) {
-    plan.pair->write_restart(file.get());
-    rewind(file.get());
-  }
-  pair->read_restart(file.get());
-  for (const auto &effect : without) pair->leave_out(effect);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void SceneInstance::copy_fixes(const Plan &plan) const
-{
-  const Group *group = original->group;
-  for (Fix *fix : plan.movers) {
-    auto *sphere = dynamic_cast<FixNVESphere *>(fix);
-    one(fmt::format("fix {} {} {}{}", fix->id, group->names[fix->igroup], fix->style,
-                    sphere && Inertia::of_disc(sphere) ? " disc" : ""));
-  }
-
-  const auto *rheometer = dynamic_cast<FixDeformRheometer *>(plan.flow);
-  const std::string text = rheometer
-      ? "deform/rheometer " + rheometer->settings_text()
-      : fmt::format("deform {} xy erate {} remap v", plan.flow->nevery, plan.rate);
-  one(fmt::format("fix {} {} {}", plan.flow->id, group->names[plan.flow->igroup], text));
-  if (!rheometer) return;
-
-  // its state
-  const File file = scratch(original);
-  plan.flow->write_restart(file.get());
-  int size = 0;
-  std::vector<char> state;
-  auto read = [&](void *to, std::size_t length) {
-    if (file) utils::sfread(FLERR, to, 1, length, file.get(), nullptr, original->error);
-    MPI_Bcast(to, static_cast<int>(length), MPI_CHAR, 0, original->world);
-  };
-  if (file) rewind(file.get());
-  read(&size, sizeof(int));
-  state.resize(size);
-  read(state.data(), size);
-  lmp->modify->get_fix_by_id(plan.flow->id)->restart(state.data());
-}
-
-/* ----------------------------------------------------------------------
-   between runs the history of a pair is kept with both particles
-------------------------------------------------------------------------- */
-
-void SceneInstance::copy_history(const PairLubcontact *from)
-{
-  const auto *to = dynamic_cast<PairLubcontact *>(lmp->force->pair);
-  FixNeighHistory *source = from->history(), *target = to->history();
-  if (!target) return;
-  history_kept = false;
-  if (!source) return;
-
-  const std::vector<int> map = scene::history_map(from->effects(), to->effects());
-  for (const int slot : map)
-    if (slot < 0) return;
-  history_kept = true;
-  const int size = source->get_dnum();
-  std::vector<double> all, kept;
-  for (int i = 0; i < original->atom->nlocal; i++) {
-    // number of partners, then ID and values of each
-    all.resize(1 + (1 + size) * (source->get_maxpartner() + 1));
-    const int length = source->pack_exchange(i, all.data());
-    kept.assign(1, all[0]);
-    for (int m = 1; m < length; m += 1 + size) {
-      kept.push_back(all[m]);
-      for (const int slot : map) kept.push_back(all[m + 1 + slot]);
-    }
-    target->unpack_exchange(i, kept.data());
-  }
-  target->maxexchange = (target->get_dnum() + 1) * target->get_maxpartner() + 1;
-}
-
-/* ----------------------------------------------------------------------
-   to the ranks that own their places here
-------------------------------------------------------------------------- */
-
-void SceneInstance::migrate() const
-{
-  Domain *domain = lmp->domain;
-  const bool lamda = domain->triclinic;
-  if (lamda) domain->x2lamda(lmp->atom->nlocal);
-  domain->pbc();
-  domain->reset_box();
-  Irregular(lmp).migrate_atoms();
-  if (lamda) domain->lamda2x(lmp->atom->nlocal);
 }

@@ -10,13 +10,15 @@
 #ifndef LMP_SCENE_INSTANCE_H
 #define LMP_SCENE_INSTANCE_H
 
+#include "pair_lubcontact.h"
+
 #include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
+class BackgroundFluid;
 class Fix;
 class LAMMPS;
-class PairLubcontact;
 
 // A second LAMMPS on the ranks of the first, with a copy of its sheared suspension: what happens in
 // there leaves the first one alone, which is only read. Silent; its errors are thrown.
@@ -27,12 +29,27 @@ class SceneInstance {
     PairLubcontact *pair = nullptr;
     Fix *flow = nullptr;    // deform/rheometer, or deform of the tilt xy
     double rate = 0.0;      // of deform
-    std::vector<Fix *> movers;
+    struct Part {
+      Fix *fix;
+      std::string settings;
+    };
+    std::vector<Part> fixes;     // in their order
+    std::vector<Fix *> drags;    // among them
+    bool overdamped = false;     // and the drag moves the particles
   };
+  // what acts in the copy
+  struct Effects {
+    bool everything = true;              // or as the deck is
+    PairLubcontact::Laws laws{};         // that the deck need not have
+    double radius = 1.0;                 // of their pull-off force
+    std::vector<std::string> without;    // PairLubcontact::EFFECTS and DRAG
+  };
+  static constexpr const char *DRAG = "drag";
   static Plan plan(LAMMPS *);
   static double deform_rate(LAMMPS *);
+  static const BackgroundFluid *background_of(const Fix *);    // null: it has none
 
-  SceneInstance(LAMMPS *, const Plan &, const std::vector<std::string> &without);
+  SceneInstance(LAMMPS *, const Plan &, const Effects &);
   ~SceneInstance();
   SceneInstance(const SceneInstance &) = delete;
   SceneInstance &operator=(const SceneInstance &) = delete;
@@ -46,8 +63,9 @@ class SceneInstance {
   void set_up() const;
   void copy_box() const;
   void copy_atoms() const;
-  void copy_pair(const Plan &, const std::vector<std::string> &) const;
-  void copy_fixes(const Plan &) const;
+  void copy_pair(const Plan &, const Effects &) const;
+  void copy_fixes(const Plan &, const Effects &) const;
+  void copy_state(Fix *) const;
   void copy_history(const PairLubcontact *);
   void migrate() const;
 };

@@ -17,6 +17,7 @@ CommandStyle(suspension_scene,SuspensionScene);
 #define LMP_SUSPENSION_SCENE_H
 
 #include "command.h"
+#include "scene_instance.h"
 
 #include <memory>
 #include <string>
@@ -29,7 +30,6 @@ struct Verdict;
 }    // namespace scene
 
 namespace LAMMPS_NS {
-class PairLubcontact;
 
 // Only reads the system.
 class SuspensionScene : public Command {
@@ -54,11 +54,16 @@ class SuspensionScene : public Command {
   std::string drag_line() const;
   std::string deck_lines(const scene::Numbers &, const std::vector<scene::Verdict> &) const;
 
-  // advice from a run of a copy
+  // advice from runs of copies
   struct Measured;
+  struct Options;
   void measure(int, char **);
-  std::string leave_out_in_turn(const PairLubcontact *, int, double) const;
-  Measured run_copy(int, const std::vector<std::string> &) const;
+  Options parse_measure(int, char **) const;
+  void check_laws(const Options &, const PairLubcontact *) const;
+  Measured run_copy(const SceneInstance::Plan &, int, const SceneInstance::Effects &) const;
+  std::string deck_lines_of(const PairLubcontact *, const SceneInstance::Plan &, bool) const;
+  std::string leave_out_in_turn(const SceneInstance::Plan &, const Options &) const;
+  std::string head_of(const Measured &, int, bool) const;
 };
 
 }    // namespace LAMMPS_NS

@@ -7,46 +7,60 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// suspension_scene measure: copies of the system run with all effects on, and without each in turn.
+// suspension_scene measure: copies of the system run with everything on, and without each effect in
+// turn.
 
 #include "suspension_scene.h"
 
+#include "atom.h"
+#include "background_fluid.h"
 #include "comm.h"
-#include "compute.h"
 #include "error.h"
 #include "exceptions.h"
 #include "fix.h"
+#include "force.h"
+#include "group.h"
 #include "lubcontact_channels.h"
+#include "lubcontact_power.h"
 #include "modify.h"
-#include "pair_lubcontact.h"
 #include "scene_instance.h"
+#include "scene_sampler.h"
 #include "scene_verdict.h"
 #include "timer.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
+using scene::UNKNOWN;
+using Effects = SceneInstance::Effects;
 
 static constexpr int BLOCKS = 10;    // of a run; the second half counts
 static constexpr int COUNTED = 5;
 static constexpr int PATH = 8;    // sum of |strain| in the output of fix deform/rheometer
 static constexpr char COLUMNS[] = "  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n";
 
-// where an effect shows: rows of compute stress/partition and of compute power/partition
-struct Rows {
+// where an effect shows: rows of compute stress/partition and of compute power/partition; and what
+// measuring it would need
+struct Row {
   const char *effect;
   int stress, power;
+  const char *cure;
 };
-static constexpr Rows ROWS[] = {{"squeeze", lubcontact::LUBRICATION_NORMAL, 2},
-                                {"shear", lubcontact::LUBRICATION_TANGENTIAL, 3},
-                                {"roll", -1, 4},
-                                {"twist", -1, 5},
-                                {"friction", lubcontact::CONTACT_TANGENTIAL, 1},
-                                {"critical load", -1, -1},
-                                {"adhesion", -1, 0},
-                                {"repulsion", 5, 6}};
+static constexpr Row ROWS[] = {
+    {"squeeze", lubcontact::LUBRICATION_NORMAL, lubcontact::SQUEEZE_FILM, ""},
+    {"shear", lubcontact::LUBRICATION_TANGENTIAL, lubcontact::SHEAR_FILM, ""},
+    {"roll", -1, lubcontact::ROLL_FILM, ""},
+    {"twist", -1, lubcontact::TWIST_FILM, ""},
+    {"friction", lubcontact::CONTACT_TANGENTIAL, lubcontact::FRICTION_CONTACT,
+     "give its coefficient with 'friction mu'"},
+    {"critical load", -1, -1, "it needs friction; give it with 'critical F'"},
+    {"adhesion", -1, lubcontact::NORMAL_CONTACT, "give the pull-off force with 'adhesion F'"},
+    {"repulsion", lubcontact::SCREENED_REPULSION, lubcontact::REPULSIVE_FORCE,
+     "give its force and length with 'repulsion F lambda'"},
+    {SceneInstance::DRAG, -1, lubcontact::NUM_ORIGINS, "add fix drag/background to the script"}};
 
 // means over the blocks that count
 struct SuspensionScene::Measured {
@@ -55,6 +69,16 @@ struct SuspensionScene::Measured {
   double seconds = 0.0;                // of CPU a step
   double strain = 0.0;
   bool history_kept = true;
+  std::vector<std::string> on;    // effects
+  std::string deck;               // lines that make them
+};
+
+// what the script asks for
+struct SuspensionScene::Options {
+  int nsteps = 0;
+  double limit = 0.02;
+  Effects all;
+  int critical_word = 0, adhesion_word = 0;    // where they are, 0: nowhere
 };
 
 namespace {
@@ -100,9 +124,9 @@ void add(const std::vector<double> &x, std::vector<double> &sum)
   for (std::size_t n = 0; n < x.size(); n++) sum[n] += x[n];
 }
 
-Fix *there(const SceneInstance &copy, const Fix *fix)
+bool contains(const std::vector<std::string> &all, const std::string &one)
 {
-  return copy.lmp->modify->get_fix_by_id(fix->id);
+  return std::find(all.begin(), all.end(), one) != all.end();
 }
 
 double share(const std::vector<double> &parts, int row)
@@ -112,78 +136,35 @@ double share(const std::vector<double> &parts, int row)
   return row >= 0 && row < static_cast<int>(parts.size()) ? parts[row] / sum : NAN;
 }
 
-// collects the parts of stress and power in a copy
-class Sampler {
- public:
-  Sampler(const SceneInstance &copy, int every) : interval(every)
-  {
-    Modify *modify = copy.lmp->modify;
-    std::string values;
-    auto watch = [&](const char *name, int row, int column, std::vector<int> &where) {
-      const std::string value = fmt::format("scene_{}_{}_{}", name, row, column);
-      copy.one(fmt::format("variable {} equal c_scene_{}[{}][{}]", value, name, row, column));
-      values += " v_" + value;
-      where.push_back(size++);
-    };
-    copy.one("compute scene_stress all stress/partition");
-    const int rows = modify->get_compute_by_id("scene_stress")->size_array_rows;
-    for (int row = 1; row <= rows; row++) {
-      watch("stress", row, 4, sxy);
-      watch("stress", row, 2, syy);
-    }
-    if (modify->compute_map->count("power/partition")) {
-      copy.one("compute scene_power all power/partition");
-      const int channels = modify->get_compute_by_id("scene_power")->size_array_rows;
-      for (int row = 1; row <= channels; row++) watch("power", row, 1, power);
-    }
-    copy.one(fmt::format("fix scene_samples all vector {}{}", every, values));
-    samples = modify->get_fix_by_id("scene_samples");
-    const bigint now = copy.lmp->update->ntimestep;
-    first = (now + every - 1) / every * every;
-  }
-
-  // of these columns, over the steps after from and up to the end
-  std::vector<double> mean(bigint from, bigint end, const std::vector<int> &columns) const
-  {
-    std::vector<double> means(columns.size(), 0.0);
-    const int begin = static_cast<int>((from - first) / interval + (from >= first ? 1 : 0));
-    const int stop = static_cast<int>((end - first) / interval + 1);
-    for (int n = begin; n < stop; n++)
-      for (std::size_t m = 0; m < columns.size(); m++)
-        means[m] += samples->compute_array(n, columns[m]) / (stop - begin);
-    return means;
-  }
-
-  std::vector<int> sxy, syy, power;    // columns
-
- private:
-  Fix *samples;
-  bigint first;    // step of the first sample
-  int interval, size = 0;
-};
-
 }    // namespace
 
 /* ----------------------------------------------------------------------
-   a copy of the system, run without some effects
+   a copy of the system, run with these effects
 ------------------------------------------------------------------------- */
 
-SuspensionScene::Measured SuspensionScene::run_copy(int nsteps,
-                                                    const std::vector<std::string> &without) const
+SuspensionScene::Measured SuspensionScene::run_copy(const SceneInstance::Plan &plan, int nsteps,
+                                                    const Effects &effects) const
 {
-  const SceneInstance::Plan plan = SceneInstance::plan(lmp);
-  const SceneInstance copy(lmp, plan, without);
+  const SceneInstance copy(lmp, plan, effects);
   const int block = nsteps / BLOCKS, every = MIN(block, 10);
   const bigint start = copy.lmp->update->ntimestep;
-  Sampler sampler(copy, every);
+  SceneSampler sampler(copy, every);
   copy.one("thermo_style custom step");
   copy.one(fmt::format("run {} post no", nsteps));
 
   Measured result;
+  const auto *style = dynamic_cast<PairLubcontact *>(copy.lmp->force->pair);
+  const bool drag = !plan.drags.empty() && !contains(effects.without, SceneInstance::DRAG);
+  for (const Row &row : ROWS)
+    if (row.effect == SceneInstance::DRAG ? drag : style->uses(row.effect))
+      result.on.emplace_back(row.effect);
+  result.deck = deck_lines_of(style, plan, drag);
   result.history_kept = copy.history_kept;
   result.strain = fabs(plan.rate) * nsteps * update->dt;
-  if (plan.rate == 0.0)
-    result.strain = there(copy, plan.flow)->compute_vector(PATH) - plan.flow->compute_vector(PATH);
+  if (plan.rate == 0.0) {
+    Fix *flow = copy.lmp->modify->get_fix_by_id(plan.flow->id);
+    result.strain = flow->compute_vector(PATH) - plan.flow->compute_vector(PATH);
+  }
   const double mine = copy.lmp->timer->get_cpu(Timer::TOTAL) / nsteps;
   MPI_Allreduce(&mine, &result.seconds, 1, MPI_DOUBLE, MPI_MAX, world);
   for (int b = 0; b < COUNTED; b++) {
@@ -200,32 +181,33 @@ SuspensionScene::Measured SuspensionScene::run_copy(int nsteps,
 }
 
 /* ----------------------------------------------------------------------
-   suspension_scene measure N keyword value ...
+   lines of the script that make these effects
+------------------------------------------------------------------------- */
+
+std::string SuspensionScene::deck_lines_of(const PairLubcontact *style,
+                                           const SceneInstance::Plan &plan, bool drag) const
+{
+  std::string text = "  pair_style " + style->settings_text({}) + "\n" + style->coeff_lines({});
+  for (const Fix *fix : plan.drags)
+    text += drag ? fmt::format("  fix {} {} {} {}\n", fix->id, group->names[fix->igroup],
+                               fix->style, SceneInstance::background_of(fix)->typed())
+                 : fmt::format("  # and no fix {}\n", fix->id);
+  return text;
+}
+
+/* ----------------------------------------------------------------------
+   suspension_scene measure N keyword values ...
 ------------------------------------------------------------------------- */
 
 void SuspensionScene::measure(int narg, char **arg)
 {
-  if (narg < 2) utils::missing_cmd_args(FLERR, "suspension_scene measure", error);
-  const int nsteps = utils::inumeric(FLERR, arg[1], false, lmp);
-  if (nsteps < BLOCKS || nsteps % BLOCKS)
-    error->all(FLERR, 1, "Suspension_scene measure takes a multiple of {} steps, but not {}",
-               BLOCKS, arg[1]);
-  double limit = 0.02;
-  for (int iarg = 2; iarg < narg; iarg += 2) {
-    if (strcmp(arg[iarg], "change") != 0)
-      error->all(FLERR, iarg,
-                 "Unknown suspension_scene measure keyword: {}; the only one is change", arg[iarg]);
-    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "suspension_scene measure change", error);
-    limit = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-    if (!(limit > 0.0))
-      error->all(FLERR, iarg + 1, "Suspension_scene measure change must be > 0, but is {}",
-                 arg[iarg + 1]);
-  }
-
-  const PairLubcontact *style = SceneInstance::plan(lmp).pair;
+  read_particles();
+  const Options options = parse_measure(narg, arg);
+  const SceneInstance::Plan plan = SceneInstance::plan(lmp);
+  check_laws(options, plan.pair);
   std::string text;
   try {
-    text = leave_out_in_turn(style, nsteps, limit);
+    text = leave_out_in_turn(plan, options);
   } catch (LAMMPSAbortException &e) {
     error->one(FLERR, "Suspension_scene measure, in its copy: {}", utils::trim(e.what()));
   } catch (LAMMPSException &e) {
@@ -234,55 +216,137 @@ void SuspensionScene::measure(int narg, char **arg)
   if (comm->me == 0) utils::logmesg(lmp, text);
 }
 
+/* ---------------------------------------------------------------------- */
+
+SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) const
+{
+  if (narg < 2) utils::missing_cmd_args(FLERR, "suspension_scene measure", error);
+  Options options;
+  options.nsteps = utils::inumeric(FLERR, arg[1], false, lmp);
+  if (options.nsteps < BLOCKS || options.nsteps % BLOCKS)
+    error->all(FLERR, 1,
+               "Suspension_scene measure takes a number of steps that is a multiple of {}, but not "
+               "{}",
+               BLOCKS, arg[1]);
+  options.all.radius = scene->radius;
+  PairLubcontact::Laws &laws = options.all.laws;
+  laws = {UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
+  const struct {
+    const char *name;
+    std::vector<double *> values;
+  } keywords[] = {{"change", {&options.limit}},
+                  {"friction", {&laws.friction}},
+                  {"critical", {&laws.critical}},
+                  {"adhesion", {&laws.pull_off}},
+                  {"repulsion", {&laws.repulsion, &laws.screening}}};
+  int places[std::size(keywords)] = {};
+  for (int iarg = 2; iarg < narg;) {
+    const auto *found = std::find_if(std::begin(keywords), std::end(keywords), [&](const auto &k) {
+      return strcmp(arg[iarg], k.name) == 0;
+    });
+    if (found == std::end(keywords))
+      error->all(FLERR, iarg,
+                 "Unknown suspension_scene measure keyword: {}; those that exist: change, "
+                 "friction, critical, adhesion, repulsion",
+                 arg[iarg]);
+    places[found - keywords] = iarg;
+    const int count = static_cast<int>(found->values.size());
+    if (iarg + count >= narg)
+      utils::missing_cmd_args(FLERR, fmt::format("suspension_scene measure {}", arg[iarg]), error);
+    for (int n = 1; n <= count; n++) {
+      const double value = utils::numeric(FLERR, arg[iarg + n], false, lmp);
+      if (!(value > 0.0))
+        error->all(FLERR, iarg + n, "Suspension_scene measure {} must be > 0, but is {}", arg[iarg],
+                   arg[iarg + n]);
+      *found->values[n - 1] = value;
+    }
+    iarg += 1 + count;
+  }
+  options.critical_word = places[2];
+  options.adhesion_word = places[3];
+  return options;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void SuspensionScene::check_laws(const Options &options, const PairLubcontact *style) const
+{
+  if (options.critical_word && std::isnan(options.all.laws.friction) && !style->uses("friction"))
+    error->all(FLERR, options.critical_word,
+               "Suspension_scene measure critical cannot act without friction: give friction mu, "
+               "too");
+  if (!options.adhesion_word) return;
+  int dim;
+  const auto *const *roughness = static_cast<double **>(force->pair->extract("roughness", dim));
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++)
+      if (style->setflag[i][j] && roughness[i][j] == 0.0)
+        error->all(FLERR, options.adhesion_word,
+                   "Suspension_scene measure adhesion is of asperities, but types {} {} have none: "
+                   "give them a roughness > 0",
+                   i, j);
+}
+
 /* ----------------------------------------------------------------------
    one line of the table per effect, then the advice
 ------------------------------------------------------------------------- */
 
-std::string SuspensionScene::leave_out_in_turn(const PairLubcontact *style, int nsteps,
-                                               double limit) const
+std::string SuspensionScene::leave_out_in_turn(const SceneInstance::Plan &plan,
+                                               const Options &options) const
 {
-  const Measured all = run_copy(nsteps, {});
-  const Mean stress = mean(all.stress), pressure = mean(all.pressure);
-  std::string text =
-      fmt::format("Suspension scene: {} steps of a copy, strain {:.4g}, means of the second half\n",
-                  nsteps, all.strain);
-  if (!all.history_kept)
-    text += "  the pairs had no history yet: films and springs have built up in the first half\n";
-  text +=
-      fmt::format("  as it is: stress xy {:.6g} +- {:.2g}, pressure yy {:.6g} +- {:.2g}, "
-                  "{:.4g} microseconds of CPU a step\n",
-                  stress.value, stress.error, pressure.value, pressure.error, 1e6 * all.seconds);
-  text += fmt::format(COLUMNS, "left out", "of stress", "of power", "change of stress",
-                      "of pressure", "time saved");
+  const int nsteps = options.nsteps;
+  const Measured all = run_copy(plan, nsteps, options.all);
+  const bool as_deck = all.deck == deck_lines_of(plan.pair, plan, true);
+  std::string text = head_of(all, nsteps, as_deck);
 
-  std::vector<std::string> idle;
-  std::string undecided;
-  for (const Rows &row : ROWS) {
-    if (!style->uses(row.effect)) continue;
-    const Measured one = run_copy(nsteps, {row.effect});
-    const Mean by[2] = {change(one.stress, all.stress), change(one.pressure, all.pressure)};
-    text += fmt::format(COLUMNS, row.effect, percent(share(all.parts, row.stress)),
-                        percent(share(all.power, row.power)), percent(by[0]), percent(by[1]),
-                        percent(1.0 - one.seconds / all.seconds));
-    auto below = [&by, limit](double sign) {
-      return fabs(by[0].value) + sign * 2.0 * by[0].error < limit &&
-          fabs(by[1].value) + sign * 2.0 * by[1].error < limit;
-    };
-    if (below(1.0))
-      idle.emplace_back(row.effect);
-    else if (below(-1.0))
-      undecided += std::string(" ") + row.effect;
-  }
-  if (idle.size() > 1) {
-    const Measured one = run_copy(nsteps, idle);
-    text += fmt::format(COLUMNS, "all of these", "-", "-", percent(change(one.stress, all.stress)),
+  auto row = [&](const char *name, const Measured &one, const std::string &stress,
+                 const std::string &power) {
+    text += fmt::format(COLUMNS, name, stress, power, percent(change(one.stress, all.stress)),
                         percent(change(one.pressure, all.pressure)),
                         percent(1.0 - one.seconds / all.seconds));
+  };
+  if (!as_deck) {
+    Effects deck;
+    deck.everything = false;
+    row("as the deck is", run_copy(plan, nsteps, deck), "-", "-");
   }
-
-  text += fmt::format("Deck lines to use: changes below {} left out\n", percent(limit));
-  text += "  pair_style " + style->settings_text(idle) + "\n";
-  text += style->coeff_lines(idle);
+  Effects less = options.all;    // and less the idle ones
+  std::string undecided, missing, lines = all.deck;
+  for (const Row &effect : ROWS) {
+    const std::string name = effect.effect;
+    if (!contains(all.on, name)) {
+      missing += fmt::format("  {}: not measured; {}\n", name, effect.cure);
+      continue;
+    }
+    const std::string of_stress = percent(share(all.parts, effect.stress));
+    const std::string of_power = percent(share(all.power, effect.power));
+    if (name == SceneInstance::DRAG && plan.overdamped) {
+      text += fmt::format(COLUMNS, name, of_stress, of_power, "-", "-", "-");
+      missing += "  drag: cannot be left out where it moves the particles\n";
+      continue;
+    }
+    Effects without = options.all;
+    without.without = {name};
+    const Measured one = run_copy(plan, nsteps, without);
+    row(effect.effect, one, of_stress, of_power);
+    const Mean by[2] = {change(one.stress, all.stress), change(one.pressure, all.pressure)};
+    auto below = [&](double sign) {
+      return fabs(by[0].value) + sign * 2.0 * by[0].error < options.limit &&
+          fabs(by[1].value) + sign * 2.0 * by[1].error < options.limit;
+    };
+    if (below(1.0)) {
+      less.without.push_back(name);
+      lines = one.deck;
+    } else if (below(-1.0))
+      undecided += " " + name;
+  }
+  if (less.without.size() > 1) {
+    const Measured one = run_copy(plan, nsteps, less);
+    row("all of these", one, "-", "-");
+    lines = one.deck;
+  }
+  text += missing +
+      fmt::format("Deck lines to use: changes below {} left out\n", percent(options.limit)) + lines;
   if (!undecided.empty())
     text += fmt::format("  # within its scatter undecided:{}; more steps or particles tell\n",
                         undecided);
@@ -290,4 +354,28 @@ std::string SuspensionScene::leave_out_in_turn(const PairLubcontact *style, int 
     text += "  # a strain below 1 shows what an effect does at once, not the structure that "
             "forms without it\n";
   return text;
+}
+
+/* ----------------------------------------------------------------------
+   what is compared with, and the head of the table
+------------------------------------------------------------------------- */
+
+std::string SuspensionScene::head_of(const Measured &all, int nsteps, bool as_deck) const
+{
+  const Mean stress = mean(all.stress), pressure = mean(all.pressure);
+  std::string text =
+      fmt::format("Suspension scene: {} steps of a copy, strain {:.4g}, means of the second half\n",
+                  nsteps, all.strain);
+  if (!all.history_kept)
+    text += "  the pairs had no history yet: films and springs have built up in the first half\n";
+  else if (!as_deck)
+    text += "  what the deck has not, began as for pairs that have just met\n";
+  text +=
+      fmt::format("  everything on{}: stress xy {:.6g} +- {:.2g}, pressure yy {:.6g} +- {:.2g}, "
+                  "{:.4g} microseconds of CPU a step\n",
+                  as_deck ? ", as the deck is" : "", stress.value, stress.error, pressure.value,
+                  pressure.error, 1e6 * all.seconds);
+  return text +
+      fmt::format(COLUMNS, "left out", "of stress", "of power", "change of stress", "of pressure",
+                  "time saved");
 }

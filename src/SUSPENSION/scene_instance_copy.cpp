@@ -1,0 +1,196 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// What a copy of a suspension has of the original: pair style, fixes, histories.
+
+#include "scene_instance.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_deform_rheometer.h"
+#include "fix_neigh_history.h"
+#include "force.h"
+#include "group.h"
+#include "irregular.h"
+#include "modify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <unordered_map>
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+using File = std::unique_ptr<FILE, int (*)(FILE *)>;
+
+File scratch(LAMMPS *lmp)
+{
+  File file(lmp->comm->me == 0 ? tmpfile() : nullptr, [](FILE *fp) {
+    return fp ? fclose(fp) : 0;
+  });
+  if (lmp->comm->me == 0 && !file)
+    lmp->error->one(FLERR, "Suspension_scene cannot make a temporary file: {}",
+                    utils::getsyserror());
+  return file;
+}
+
+struct Sphere {
+  int type;
+  double radius, x[3];
+};
+
+// of all ranks, by ID: a partner may be anywhere, and between runs ghosts need not be there
+std::unordered_map<tagint, Sphere> all_spheres(LAMMPS *lmp)
+{
+  enum { ID, TYPE, RADIUS, X, SIZE = X + 3 };
+  const Atom *atom = lmp->atom;
+  const int ranks = lmp->comm->nprocs;
+  std::vector<double> mine;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double row[] = {ubuf(atom->tag[i]).d, static_cast<double>(atom->type[i]),
+                          atom->radius[i],      atom->x[i][0],
+                          atom->x[i][1],        atom->x[i][2]};
+    mine.insert(mine.end(), std::begin(row), std::end(row));
+  }
+  const int length = static_cast<int>(mine.size());
+  std::vector<int> lengths(ranks), starts(ranks, 0);
+  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, lmp->world);
+  for (int n = 1; n < ranks; n++) starts[n] = starts[n - 1] + lengths[n - 1];
+  std::vector<double> all(starts.back() + lengths.back());
+  MPI_Allgatherv(mine.data(), length, MPI_DOUBLE, all.data(), lengths.data(), starts.data(),
+                 MPI_DOUBLE, lmp->world);
+
+  std::unordered_map<tagint, Sphere> spheres;
+  for (std::size_t n = 0; n < all.size(); n += SIZE) {
+    const double *row = &all[n];
+    spheres[static_cast<tagint>(ubuf(row[ID]).i)] = {
+        static_cast<int>(row[TYPE]), row[RADIUS], {row[X], row[X + 1], row[X + 2]}};
+  }
+  return spheres;
+}
+
+}    // namespace
+
+/* ----------------------------------------------------------------------
+   by way of a restart file: whatever the pair style has is in there
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_pair(const Plan &plan, const Effects &effects) const
+{
+  const std::string settings = plan.pair->settings_text({});
+  const std::string eta = settings.substr(11, settings.find(' ', 11) - 11);
+  if (utils::strmatch(eta, "^v_"))
+    one(fmt::format("variable {} equal {}", eta.substr(2), plan.pair->viscosity()));
+
+  one("pair_style " + settings);
+  auto *pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
+  const File file = scratch(original);
+  if (file) {
+    plan.pair->write_restart(file.get());
+    rewind(file.get());
+  }
+  pair->read_restart(file.get());
+  if (effects.everything) pair->switch_on(effects.laws, effects.radius);
+  for (const auto &effect : effects.without) pair->leave_out(effect);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void SceneInstance::copy_fixes(const Plan &plan, const Effects &effects) const
+{
+  const auto &without = effects.without;
+  const bool no_drag = std::find(without.begin(), without.end(), DRAG) != without.end();
+  for (const Plan::Part &part : plan.fixes) {
+    Fix *fix = part.fix;
+    const bool drag = background_of(fix) != nullptr;
+    if (drag && no_drag) continue;
+    one(fmt::format("fix {} {} {} {}", fix->id, original->group->names[fix->igroup], fix->style,
+                    part.settings));
+    if (drag || dynamic_cast<FixDeformRheometer *>(fix)) copy_state(fix);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   what a fix writes to restart files
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_state(Fix *fix) const
+{
+  const File file = scratch(original);
+  fix->write_restart(file.get());
+  int size = 0;
+  std::vector<char> state;
+  auto read = [&](void *to, std::size_t length) {
+    if (file) utils::sfread(FLERR, to, 1, length, file.get(), nullptr, original->error);
+    MPI_Bcast(to, static_cast<int>(length), MPI_CHAR, 0, original->world);
+  };
+  if (file) rewind(file.get());
+  read(&size, sizeof(int));
+  state.resize(size);
+  read(state.data(), size);
+  lmp->modify->get_fix_by_id(fix->id)->restart(state.data());
+}
+
+/* ----------------------------------------------------------------------
+   between runs the history of a pair is kept with both particles
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_history(const PairLubcontact *from)
+{
+  const auto *to = dynamic_cast<PairLubcontact *>(lmp->force->pair);
+  FixNeighHistory *source = from->history(), *target = to->history();
+  if (!target) return;
+  history_kept = source != nullptr;
+  if (!source) return;
+
+  const Atom *atom = original->atom;
+  const auto spheres = all_spheres(original);
+  const int size = source->get_dnum(), new_size = target->get_dnum();
+  std::vector<double> all, adopted;
+  for (int i = 0; i < atom->nlocal; i++) {
+    // number of partners, then ID and values of each
+    all.resize(1 + (1 + size) * (source->get_maxpartner() + 1));
+    const int length = source->pack_exchange(i, all.data());
+    adopted.assign(1, all[0]);
+    for (int m = 1; m < length; m += 1 + size) {
+      const Sphere &partner = spheres.at(static_cast<tagint>(ubuf(all[m]).i));
+      double near[3];
+      original->domain->closest_image(atom->x[i], partner.x, near);
+      const double d[3] = {atom->x[i][0] - near[0], atom->x[i][1] - near[1],
+                           atom->x[i][2] - near[2]};
+      const double r = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+      adopted.push_back(all[m]);
+      adopted.resize(adopted.size() + new_size);
+      to->adopt_history(from->effects(), &all[m + 1], atom->type[i], partner.type, atom->radius[i],
+                        partner.radius, r, adopted.data() + adopted.size() - new_size);
+    }
+    target->unpack_exchange(i, adopted.data());
+  }
+  target->maxexchange = (target->get_dnum() + 1) * target->get_maxpartner() + 1;
+}
+
+/* ----------------------------------------------------------------------
+   to the ranks that own their places here
+------------------------------------------------------------------------- */
+
+void SceneInstance::migrate() const
+{
+  Domain *domain = lmp->domain;
+  const bool lamda = domain->triclinic;
+  if (lamda) domain->x2lamda(lmp->atom->nlocal);
+  domain->pbc();
+  domain->reset_box();
+  Irregular(lmp).migrate_atoms();
+  if (lamda) domain->lamda2x(lmp->atom->nlocal);
+}

@@ -1,0 +1,62 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "scene_sampler.h"
+
+#include "compute.h"
+#include "fix.h"
+#include "modify.h"
+#include "scene_instance.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+SceneSampler::SceneSampler(const SceneInstance &copy, int every) : interval(every)
+{
+  Modify *modify = copy.lmp->modify;
+  std::string values;
+  int size = 0;
+  auto watch = [&](const char *name, int row, int column, std::vector<int> &where) {
+    const std::string value = fmt::format("scene_{}_{}_{}", name, row, column);
+    copy.one(fmt::format("variable {} equal c_scene_{}[{}][{}]", value, name, row, column));
+    values += " v_" + value;
+    where.push_back(size++);
+  };
+  copy.one("compute scene_stress all stress/partition");
+  const int rows = modify->get_compute_by_id("scene_stress")->size_array_rows;
+  for (int row = 1; row <= rows; row++) {
+    watch("stress", row, 4, sxy);
+    watch("stress", row, 2, syy);
+  }
+  if (modify->compute_map->count("power/partition")) {
+    copy.one("compute scene_power all power/partition");
+    const int channels = modify->get_compute_by_id("scene_power")->size_array_rows;
+    for (int row = 1; row <= channels; row++) watch("power", row, 1, power);
+  }
+  copy.one(fmt::format("fix scene_samples all vector {}{}", every, values));
+  samples = modify->get_fix_by_id("scene_samples");
+  const bigint now = copy.lmp->update->ntimestep;
+  first = (now + every - 1) / every * every;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<double> SceneSampler::mean(bigint from, bigint end,
+                                       const std::vector<int> &columns) const
+{
+  std::vector<double> means(columns.size(), 0.0);
+  const int begin = static_cast<int>((from - first) / interval + (from >= first ? 1 : 0));
+  const int stop = static_cast<int>((end - first) / interval + 1);
+  for (int n = begin; n < stop; n++)
+    for (std::size_t m = 0; m < columns.size(); m++)
+      means[m] += samples->compute_array(n, columns[m]) / (stop - begin);
+  return means;
+}
