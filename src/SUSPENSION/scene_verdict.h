@@ -18,8 +18,10 @@ enum Limit {
   FRICTION_GAIN,
   CRITICAL_LOW,
   CRITICAL_HIGH,
-  SURFACE_FORCE,
+  ADHESIVE,
+  REPULSIVE,
   FAR_FIELD,
+  DILUTE,
   INERTIAL,
   TALL,
   CRUSHED,
@@ -42,12 +44,15 @@ inline constexpr Threshold THRESHOLD[NUM_LIMITS] = {
     {"Iv", 0.01, "tests/validation/mu_of_iv: films carry 8 % of the stress there, friction 0.5"},
     {"Iv", 0.001, "tests/validation/mu_of_iv: films carry 4 % of the stress there, no friction"},
     {"gain", 0.1, "Chevremont et al., Phys. Rev. Fluids 4, 064302 (2019), eq. 13"},
-    {"P a^2/F", 0.05,
-     "Wyart and Cates, Phys. Rev. Lett. 112, 098302 (2014), f = 1 - exp(-P a^2/F): 5 % rub"},
+    {"P a^2/F", 0.03,
+     "examples/shear_thickening: 0 to 1 % of the contacts rub up to 0.03, 1 to 12 % at 0.05"},
     {"P a^2/F", 3.0,
-     "Wyart and Cates, Phys. Rev. Lett. 112, 098302 (2014), f = 1 - exp(-P a^2/F): 95 % rub"},
+     "examples/shear_thickening: 91 to 93 % of the contacts rub at 1.5 to 1.8, 97 to 98 % above 3"},
+    {"F/(P d^2)", 0.3,
+     "examples/yield_stress: stress +1 +- 8 % at 0.3, +11 +- 9 % at 0.5, +9 and +37 % at 0.9"},
     {"F/(P d^2)", 0.1, "estimate: a tenth of the confining force on a particle"},
     {"phi", 0.45, "examples/shear_rate: law met at 0.45, viscosity 20 % low at 0.40, 40 % at 0.30"},
+    {"phi", 0.2, "estimate: nothing measured below 0.30, where 40 % of the viscosity are missing"},
     {"4 St", 2.0,
      "examples/shear_rate: no change up to St 0.5, and Tapia et al., Phys. Rev. Lett. 129, "
      "078001 (2022): transition at 10"},
@@ -63,9 +68,9 @@ inline constexpr Threshold THRESHOLD[NUM_LIMITS] = {
     {"box/d", 8.0, "examples/shear_rate: viscosity +3 % with 500 particles, +12 % with 200"},
 };
 
-enum Answer { NEEDED, NOT_NEEDED, BEYOND, CANNOT_TELL };
-inline constexpr const char *ANSWER_NAME[] = {"needed", "not needed", "beyond this package",
-                                              "cannot tell"};
+enum Answer { NEEDED, NOT_NEEDED, LIMITED, BEYOND, CANNOT_TELL };
+inline constexpr const char *ANSWER_NAME[] = {"needed", "not needed", "accuracy limited",
+                                              "beyond this package", "cannot tell"};
 
 enum Effect {
   SQUEEZE_FILM,
@@ -170,24 +175,59 @@ inline Verdict judge_critical(const Scene &s, const Numbers &n)
   return above(CRITICAL_LOAD, n.critical, CRITICAL_HIGH, NOT_NEEDED, NEEDED);
 }
 
-inline Verdict judge_force(Effect e, double force, double number, const char *keyword)
+inline Verdict judge_force(Effect e, double force, double number, Limit limit, const char *keyword)
 {
   if (!known(force))
     return {e, CANNOT_TELL, std::string("give the force of the surfaces: ") + keyword + " F"};
   if (force == 0.0) return {e, NOT_NEEDED, "the force is 0"};
   if (!known(number)) return {e, CANNOT_TELL, "pressure unknown: give it or rate and viscosity"};
-  return above(e, number, SURFACE_FORCE, NEEDED, NOT_NEEDED);
+  return above(e, number, limit, NEEDED, NOT_NEEDED);
 }
 
-// what the fluid does far from the contacts
-inline Verdict judge_fluid(const Scene &s, Effect e, double x, Limit limit, Answer if_needed)
+// Measured in examples/shear_rate: by how much the viscosity is low at phi, as a fraction; the last
+// value below
+inline double missing_viscosity(double phi)
+{
+  static constexpr double PHI[] = {0.45, 0.40, 0.30}, LOW[] = {0.0, 0.2, 0.4};
+  if (phi >= PHI[0]) return 0.0;
+  if (phi <= PHI[2]) return LOW[2];
+  const int m = phi > PHI[1] ? 0 : 1;
+  return LOW[m] + (LOW[m + 1] - LOW[m]) * (PHI[m] - phi) / (PHI[m] - PHI[m + 1]);
+}
+
+// what the fluid does far from the contacts: decided without its volume fraction?
+inline bool fluid_idle(const Scene &s, Effect e, Verdict &out)
 {
   if (!known(s.viscosity))
-    return {e, CANNOT_TELL, "give the viscosity of the fluid: viscosity eta"};
-  if (s.viscosity == 0.0) return {e, NOT_NEEDED, "dry: the viscosity is 0"};
-  if (s.dimension != 3.0 && limit == FAR_FIELD)
-    return {e, CANNOT_TELL, "no measurement for discs; spheres need it below phi = 0.45"};
-  return {e, x < THRESHOLD[limit].value ? if_needed : NOT_NEEDED, compare(x, limit)};
+    out = {e, CANNOT_TELL, "give the viscosity of the fluid: viscosity eta"};
+  else if (s.viscosity == 0.0)
+    out = {e, NOT_NEEDED, "dry: the viscosity is 0"};
+  else if (s.dimension != 3.0)
+    out = {e, CANNOT_TELL, "no measurement for discs; spheres need it below phi = 0.45"};
+  else
+    return false;
+  return true;
+}
+
+inline Verdict judge_drag(const Scene &s)
+{
+  Verdict out;
+  if (fluid_idle(s, DRAG, out)) return out;
+  return {DRAG, s.phi < THRESHOLD[FAR_FIELD].value ? NEEDED : NOT_NEEDED,
+          compare(s.phi, FAR_FIELD)};
+}
+
+inline Verdict judge_far(const Scene &s)
+{
+  static constexpr Effect E = FAR_HYDRODYNAMICS;
+  Verdict out;
+  if (fluid_idle(s, E, out)) return out;
+  if (s.phi < THRESHOLD[DILUTE].value) return {E, BEYOND, compare(s.phi, DILUTE)};
+  if (s.phi >= THRESHOLD[FAR_FIELD].value) return {E, NOT_NEEDED, compare(s.phi, FAR_FIELD)};
+  const bool measured = s.phi >= 0.3;
+  return {E, LIMITED,
+          std::string("viscosity ") + (measured ? "about " : "more than ") +
+              show(100.0 * missing_viscosity(s.phi)) + " % low: " + compare(s.phi, FAR_FIELD)};
 }
 
 inline Verdict judge_inertia(const Scene &s, const Numbers &n)
@@ -240,14 +280,14 @@ inline std::vector<Verdict> judge(const Scene &s, const Numbers &n)
   judge_films(s, n, out);
   out.push_back(judge_friction(s, n));
   out.push_back(judge_critical(s, n));
-  out.push_back(judge_force(ADHESION, s.adhesion, n.adhesion, "adhesion"));
-  out.push_back(judge_force(REPULSION, s.repulsion, n.repulsion, "repulsion"));
-  out.push_back(judge_fluid(s, DRAG, s.phi, FAR_FIELD, NEEDED));
+  out.push_back(judge_force(ADHESION, s.adhesion, n.adhesion, ADHESIVE, "adhesion"));
+  out.push_back(judge_force(REPULSION, s.repulsion, n.repulsion, REPULSIVE, "repulsion"));
+  out.push_back(judge_drag(s));
   out.push_back(judge_inertia(s, n));
   out.push_back(judge_roughness(s));
   out.push_back(judge_compliance(n));
   out.push_back(judge_brownian(s, n));
-  out.push_back(judge_fluid(s, FAR_HYDRODYNAMICS, s.phi, FAR_FIELD, BEYOND));
+  out.push_back(judge_far(s));
   out.push_back(judge_fluid_inertia(s, n));
   return out;
 }

@@ -152,7 +152,7 @@ TEST(SceneVerdict, FrictionNeedsCrowding)
 
 TEST(SceneVerdict, CriticalLoadNeedsForcesOfItsSize)
 {
-  expect_flip(CRITICAL_LOAD, &Scene::critical, 400.0, NEEDED, NOT_NEEDED);    // P a^2/F = 0.05
+  expect_flip(CRITICAL_LOAD, &Scene::critical, 20.0 / 0.03, NEEDED, NOT_NEEDED);    // P a^2/F
   expect_flip(CRITICAL_LOAD, &Scene::critical, 20.0 / 3.0, NOT_NEEDED, NEEDED);
   Scene s = paste();
   s.critical = 20.0;
@@ -161,19 +161,37 @@ TEST(SceneVerdict, CriticalLoadNeedsForcesOfItsSize)
   EXPECT_EQ(answer(s, CRITICAL_LOAD), NOT_NEEDED);
 }
 
-TEST(SceneVerdict, SurfaceForcesNeedATenthOfTheConfinement)
+TEST(SceneVerdict, SurfaceForcesNeedAPartOfTheConfinement)
 {
-  expect_flip(ADHESION, &Scene::adhesion, 8.0, NOT_NEEDED, NEEDED);    // P d^2 = 80
+  expect_flip(ADHESION, &Scene::adhesion, 24.0, NOT_NEEDED, NEEDED);    // P d^2 = 80
   expect_flip(REPULSION, &Scene::repulsion, 8.0, NOT_NEEDED, NEEDED);
 }
 
 TEST(SceneVerdict, FarFieldNeedsRoom)
 {
   expect_flip(DRAG, &Scene::phi, 0.45, NEEDED, NOT_NEEDED);
-  expect_flip(FAR_HYDRODYNAMICS, &Scene::phi, 0.45, BEYOND, NOT_NEEDED);
+  expect_flip(FAR_HYDRODYNAMICS, &Scene::phi, 0.45, LIMITED, NOT_NEEDED);
+  expect_flip(FAR_HYDRODYNAMICS, &Scene::phi, 0.2, BEYOND, LIMITED);
   Scene s = paste();
   s.dimension = 2.0;
   EXPECT_EQ(answer(s, FAR_HYDRODYNAMICS), CANNOT_TELL);
+}
+
+// relative viscosities of examples/shear_rate over those of the law of Chevremont et al. 2019 there
+TEST(SceneVerdict, SaysHowMuchFarHydrodynamicsIsMissing)
+{
+  const double measured[][3] = {{0.45, 12.9, 13.1}, {0.40, 5.8, 7.2}, {0.30, 1.98, 3.3}};
+  for (const auto &row : measured)
+    EXPECT_NEAR(missing_viscosity(row[0]), 1.0 - row[1] / row[2], 0.02) << row[0];
+  EXPECT_DOUBLE_EQ(missing_viscosity(0.5), 0.0);
+  EXPECT_NEAR(missing_viscosity(0.35), 0.3, 1e-12);
+
+  Scene s = paste();
+  s.phi = 0.35;
+  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("viscosity about 30 % low: phi = 0.35"),
+            std::string::npos);
+  s.phi = 0.25;
+  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("more than 40 % low"), std::string::npos);
 }
 
 TEST(SceneVerdict, InertiaNeedsAStokesNumberOfTheOrderOfOne)
@@ -206,7 +224,7 @@ TEST(SceneVerdict, WarnsAtBothSidesOfTheThresholds)
     double at;
     bool above;
     const char *word;
-  } const table[] = {{&Scene::g, 1e5, false, "crushed"},         // E eps/P = 50
+  } const table[] = {{&Scene::g, 1e5, false, "crushed"},    // E eps/P = 50
                      {&Scene::roughness, 0.02, true, "larger"},
                      {&Scene::dt, 0.5, true, "near the stability limit"},
                      {&Scene::dt, 1.0, true, "exceeds the stability limit"},
