@@ -40,7 +40,7 @@ static constexpr double MANY = 12.0;    // neighbors of a crowded particle
 /* ---------------------------------------------------------------------- */
 
 SuspensionScene::SuspensionScene(LAMMPS *lmp) :
-    Command(lmp), scene(new scene::Scene()), pair(nullptr), walls(false)
+    Command(lmp), scene(new scene::Scene()), pair(nullptr), walls(false), screening(UNKNOWN)
 {
 }
 
@@ -94,6 +94,13 @@ void SuspensionScene::parse(int narg, char **arg)
       {"temperature", &scene->thermal, force->boltz, true},
       {"fluid_density", &scene->fluid_density, force->mvv2e, true},
   };
+  auto number = [&](int iarg, const char *name, bool zero) {
+    const double value = utils::numeric(FLERR, arg[iarg], false, lmp);
+    if (!(value >= 0.0) || (value == 0.0 && !zero))
+      error->all(FLERR, iarg, "Suspension_scene {} must be {} 0, but is {}", name,
+                 zero ? ">=" : ">", arg[iarg]);
+    return value;
+  };
   for (int iarg = 0; iarg < narg; iarg += 2) {
     const Keyword *found = nullptr;
     for (const Keyword &keyword : keywords)
@@ -106,11 +113,12 @@ void SuspensionScene::parse(int narg, char **arg)
     }
     if (iarg + 1 >= narg)
       utils::missing_cmd_args(FLERR, fmt::format("suspension_scene {}", arg[iarg]), error);
-    const double value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-    if (!(value >= 0.0) || (value == 0.0 && !found->zero))
-      error->all(FLERR, iarg + 1, "Suspension_scene {} must be {} 0, but is {}", arg[iarg],
-                 found->zero ? ">=" : ">", arg[iarg + 1]);
-    *found->value = value * found->unit;
+    *found->value = number(iarg + 1, found->name, found->zero) * found->unit;
+    const bool length = strcmp(found->name, "repulsion") == 0 && iarg + 2 < narg;
+    if (length && utils::is_double(arg[iarg + 2])) {
+      screening = number(iarg + 2, "length of the repulsion", false);
+      iarg++;
+    }
   }
 }
 
@@ -297,6 +305,37 @@ std::string SuspensionScene::drag_line() const
   return "  fix drag all drag/background pair cell\n";
 }
 
+/* ----------------------------------------------------------------------
+   words of pair_coeff for the laws that are needed, but not in the pair style
+------------------------------------------------------------------------- */
+
+std::string SuspensionScene::law_words(const std::vector<Verdict> &verdicts) const
+{
+  const scene::Scene &s = *scene;
+  auto lacks = [&](const char *effect) {
+    return !pair || !pair->uses(effect);
+  };
+  auto needs = [&](scene::Effect law, const char *effect) {
+    return verdicts[law].answer == scene::NEEDED && lacks(effect);
+  };
+  std::string words;
+  const bool rubs = verdicts[scene::FRICTION_LAW].answer != scene::NOT_NEEDED && known(s.friction);
+  if (rubs && needs(scene::CRITICAL_LOAD, "critical load"))
+    words += fmt::format(" friction clm step {} {}", s.friction, s.critical);
+  else if (rubs && lacks("friction"))
+    words += fmt::format(" friction coulomb {}", s.friction);
+  double k = s.g;
+  if (pair && pair->setflag && pair->setflag[1][1]) {
+    int dim;
+    k = static_cast<double **>(pair->extract("asperity", dim))[1][1];
+  }
+  if (needs(scene::ADHESION, "adhesion") && known(k))
+    words += fmt::format(" adhesion {}", s.adhesion / (k * s.radius));
+  if (needs(scene::REPULSION, "repulsion") && known(screening))
+    words += fmt::format(" repulsion {} {}", s.repulsion, screening);
+  return words;
+}
+
 /* ---------------------------------------------------------------------- */
 
 std::string SuspensionScene::deck_lines(const Numbers &n,
@@ -325,12 +364,12 @@ std::string SuspensionScene::deck_lines(const Numbers &n,
   for (int m = 0; m < 4; m++)
     if (answer(LAWS[m]) == scene::NOT_NEEDED)
       no_law.push_back(PairLubcontact::EFFECTS[PairLubcontact::EFFECTS.size() - 4 + m]);
+  const std::string more = law_words(verdicts);
   if (pair)
-    text += pair->coeff_lines(no_law);
+    text +=
+        pair->coeff_lines(no_law) + (more.empty() ? "" : "  # add to pair_coeff:" + more + "\n");
   else if (known(s.g) && known(s.roughness))
-    text += fmt::format(
-        "  pair_coeff * * {0} {0} roughness {1}{2}\n", s.g, s.roughness,
-        no_law.empty() && known(s.friction) ? fmt::format(" friction coulomb {}", s.friction) : "");
+    text += fmt::format("  pair_coeff * * {0} {0} roughness {1}{2}\n", s.g, s.roughness, more);
   if (answer(scene::DRAG) == scene::NEEDED) text += drag_line();
   if (n.step > scene::THRESHOLD[scene::STEP].value)
     text += fmt::format("  timestep {}\n", show(0.4 * s.dt_limit));

@@ -43,6 +43,7 @@ class SuspensionScene : public Command {
   std::unique_ptr<scene::Scene> scene;
   PairLubcontact *pair;    // or null
   bool walls;
+  double screening;    // length of the repulsion, if the script gives it
   void parse(int, char **);
   void read_particles();
   void read_box();
@@ -52,6 +53,7 @@ class SuspensionScene : public Command {
   void report() const;
   std::string describe(const scene::Numbers &) const;
   std::string drag_line() const;
+  std::string law_words(const std::vector<scene::Verdict> &) const;
   std::string deck_lines(const scene::Numbers &, const std::vector<scene::Verdict> &) const;
 
   // advice from runs of copies

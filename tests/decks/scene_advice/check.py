@@ -7,7 +7,7 @@ import deck
 
 EFFECTS = ("squeeze film", "shear film", "rolling film", "twisting film", "friction", "critical load", "adhesion", "repulsion",
            "drag", "particle inertia", "roughness", "elastic compliance", "Brownian motion", "far hydrodynamics", "fluid inertia")
-ANSWERS = "needed|not needed|beyond this package|cannot tell"
+ANSWERS = "needed|not needed|accuracy limited|beyond this package|cannot tell"
 
 
 class Advice:
@@ -89,8 +89,15 @@ deck.expect("dry: deck lines", "pair_style lubcontact 0 cut 0.5 squeeze no shear
 # dilute
 scene = Advice(scale=1.4)
 scene.expect("dilute", drag="needed", far_hydrodynamics="beyond this package", friction="not needed")
+deck.expect_close("dilute: phi", float(re.search(r"phi (\S+), N", scene.text).group(1)), phi / 1.4**3, rtol=6e-3)
 deck.expect("dilute: deck lines", "fix drag all drag/background pair cell\n" in scene.lines and "roughness 0.01 friction none\n" in scene.lines,
             scene.lines)
+
+# between: the viscosity is too low, by what examples/shear_rate has measured at 0.40 and 0.30
+scene = Advice(scale=1.08)
+scene.expect("semi-dilute", drag="needed", far_hydrodynamics="accuracy limited")
+low = float(re.search(r"viscosity about (\S+) % low: phi", scene.text).group(1))
+deck.expect_close("semi-dilute: viscosity too low by", low, np.interp(phi / 1.08**3, [0.30, 0.40], [40, 20]), atol=0.3)
 
 # inertial, and so much that the films are idle
 Advice(density=5.0).expect("inertial", particle_inertia="needed", squeeze_film="needed")

@@ -3,6 +3,11 @@ import deck
 
 SHEAR = "fix shear all deform/rheometer rate 1.0 volume\n"
 GRAVITY = SHEAR + "fix pull all gravity 1.0 vector 0 -1 0\n"
+SLIPPERY = "pair_coeff * * 1e4 5e3 roughness 0.01\n"
+SMOOTH = "pair_coeff * * 1e4 5e3\n"
+HYBRID = "pair_style hybrid lubcontact 1.0 cut 0.5 zero 3.0\npair_coeff * * lubcontact 1e4 5e3 roughness 0.01\n"
+PLATES = "unfix move\ngroup lower id 1\ngroup upper id 2\ngroup between subtract all lower upper\n" \
+    "fix move between nve/sphere\nfix cell between rheometer/plates lower upper rate 0.5 pressure 5\n"
 CASES = [    # lines, message, underlined word or None
     ("suspension_scene rates 1", "Unknown suspension_scene keyword: rates; those that exist: measure, viscosity, rate", "rates"),
     ("suspension_scene rate", "missing argument", None),
@@ -10,13 +15,29 @@ CASES = [    # lines, message, underlined word or None
     ("suspension_scene temperature -1", "temperature must be >= 0, but is -1", "-1"),
     ("suspension_scene pressure high", "instead of 'high'", None),
     ("suspension_scene measure", "missing argument", None),
-    ("suspension_scene measure 25", "takes a multiple of 10 steps, but not 25", "25"),
-    ("suspension_scene measure 0", "takes a multiple of 10 steps, but not 0", "0"),
-    ("suspension_scene measure 10 changes 1", "keyword: changes; the only one is change", "changes"),
+    ("suspension_scene measure 25", "takes a number of steps that is a multiple of 10, but not 25", "25"),
+    ("suspension_scene measure 0", "a multiple of 10, but not 0", "0"),
+    ("suspension_scene measure 10 changes 1", "keyword: changes; those that exist: change, friction, critical, adhesion, repulsion",
+     "changes"),
+    ("suspension_scene measure 10 viscosity 1", "measure keyword: viscosity", "viscosity"),
+    ("suspension_scene measure 10 repulsion 1", "missing argument", None),
+    ("suspension_scene measure 10 repulsion 1 0", "repulsion must be > 0, but is 0", "0"),
+    ("suspension_scene measure 10 friction 0", "friction must be > 0, but is 0", "0"),
+    (SHEAR + SLIPPERY + "suspension_scene measure 10 critical 2", "critical cannot act without friction: give friction mu, too", "critical"),
+    (SHEAR + SMOOTH + "suspension_scene measure 10 adhesion 2", "types 1 1 have none: give them a roughness > 0", "adhesion"),
+    (SHEAR + "suspension_scene measure 10 adhesion 1e4", "Suspension_scene measure, in its copy: ", None),    # breaks out of range
     ("suspension_scene measure 10 change", "missing argument", None),
     ("suspension_scene measure 10 change 0", "change must be > 0, but is 0", "0"),
     ("suspension_scene measure 10", "needs a flow: fix deform/rheometer, or fix deform of xy with remap v", None),
     ("fix shear all deform 1 xy erate 1.0\nsuspension_scene measure 10", "cannot copy fix shear of style deform", None),
+    (SHEAR + "variable u atom y\nfix d all drag/background 1 velocity v_u 0 0\nrun 0\nsuspension_scene measure 10",
+     "cannot copy fix d: variable u is atom-style; the advice without the word measure", None),
+    (SHEAR + "variable u equal 1.0\nfix d all drag/background v_u cell\nsuspension_scene measure 10",
+     "cannot copy fix d: variable u has no value before the first run; add run 0", None),
+    (SHEAR + "group now dynamic all every 1\nfix d now drag/background 1\nsuspension_scene measure 10",
+     "cannot copy the dynamic group now of fix d; the advice without", None),
+    (SHEAR + HYBRID + "suspension_scene measure 10", "lubcontact alone, but the pair style is hybrid; the advice without", None),
+    (PLATES + "suspension_scene measure 10", "works in periodic cells and cannot copy the plates of fix cell; the advice without", None),
     (GRAVITY + "suspension_scene measure 10", "cannot copy fix pull of style gravity; the advice without the word measure", None),
     (SHEAR + "neigh_modify exclude type 1 1\nsuspension_scene measure 10", "cannot copy neigh_modify exclude", None),
     (SHEAR + "pair_style zero 3.0\npair_coeff * *\nsuspension_scene measure 10", "alone, but the pair style is zero", None),
