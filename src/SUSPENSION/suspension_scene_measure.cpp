@@ -58,7 +58,7 @@ static constexpr Row ROWS[] = {
      "give its coefficient with 'friction mu'"},
     {"critical load", -1, -1, "it needs friction; give it with 'critical F'"},
     {"adhesion", -1, lubcontact::NORMAL_CONTACT, "give the pull-off force with 'adhesion F'"},
-    {"repulsion", lubcontact::SCREENED_REPULSION, lubcontact::REPULSIVE_FORCE,
+    {"repulsion", 5, lubcontact::REPULSIVE_FORCE,
      "give its force and length with 'repulsion F lambda'"},
     {SceneInstance::DRAG, -1, lubcontact::NUM_ORIGINS, "add fix drag/background to the script"}};
 
