@@ -77,6 +77,12 @@ deck.expect_close("iv: Pe", scene.number("Pe"), 600 * np.pi * a**3, rtol=6e-3)
 deck.expect_close("iv: Re", scene.number("Re"), 0.3 * a**2, rtol=6e-3)
 scene.expect("iv", Brownian_motion="not needed", fluid_inertia="beyond this package", critical_load="needed", repulsion="not needed",
              adhesion="needed")
+# what the deck has not is to be added: the adhesion as its length, F/(k a)
+found = re.search(r"# add to pair_coeff: friction clm step 0.5 50 adhesion (\S+)$", scene.lines, re.MULTILINE)
+deck.expect_close("iv: words of the laws", float(found.group(1)), 30 / (1e6 * a), rtol=1e-6)
+scene = Advice(flow="fix flow all deform/rheometer iv 0.2 pressure 5.0", words="repulsion 30 0.05 friction 0.3")
+deck.expect("iv: length of the repulsion", "  # add to pair_coeff: repulsion 30 0.05\n" in scene.lines, scene.lines)
+deck.expect("iv: nothing to add", "# add to" not in Advice(flow="fix flow all deform/rheometer iv 0.2 pressure 5.0").lines)
 scene = Advice(words="temperature 0.1")
 scene.expect("warm", Brownian_motion="beyond this package")
 
@@ -122,6 +128,11 @@ scene = Advice(style="zero", flow="print none", words="viscosity 2 rate 3 pressu
 deck.expect_close("words: St", scene.number("St"), 0.075 * a**2, rtol=6e-3)
 deck.expect_close("words: Iv", scene.number("Iv ="), 0.1, rtol=6e-3)
 deck.expect("words: deck lines", "  pair_style lubcontact 2 cut 0.5 twist no\n" in scene.lines, scene.lines)
+
+scene = Advice(style="zero", flow="print none", words="viscosity 2 rate 3 pressure 60 stiffness 1e7 roughness 0.01 friction 0.3 "
+               "critical 100 adhesion 200 repulsion 300 0.02")
+found = re.search(r"roughness 0.01 friction clm step 0.3 100 adhesion (\S+) repulsion 300 0.02$", scene.lines, re.MULTILINE)
+deck.expect_close("words: laws in the deck lines", float(found.group(1)), 200 / (1e7 * a), rtol=1e-6)
 
 # units in which pressure, energy and mass need factors: kcal/mol/A^3 to atm, (g/mol)(A/fs)^2 to kcal/mol, K to kcal/mol
 scene = Advice(units="real", style="zero", flow="print none", density=3.0, words="viscosity 2 rate 3e-2 pressure 60 stiffness 1e7 "

@@ -13,6 +13,7 @@ CASES = [    # lines, message, underlined word or None
     ("suspension_scene rate", "missing argument", None),
     ("suspension_scene rate 0", "rate must be > 0, but is 0", "0"),
     ("suspension_scene temperature -1", "temperature must be >= 0, but is -1", "-1"),
+    ("suspension_scene repulsion 1 0", "length of the repulsion must be > 0, but is 0", "0"),
     ("suspension_scene pressure high", "instead of 'high'", None),
     ("suspension_scene measure", "missing argument", None),
     ("suspension_scene measure 25", "takes a number of steps that is a multiple of 10, but not 25", "25"),
