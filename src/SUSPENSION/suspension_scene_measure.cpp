@@ -56,7 +56,7 @@ static constexpr Row ROWS[] = {
     {"twist", -1, lubcontact::TWIST_FILM, ""},
     {"friction", lubcontact::CONTACT_TANGENTIAL, lubcontact::FRICTION_CONTACT,
      "give its coefficient with 'friction mu'"},
-    {"critical load", -1, -1, "it needs friction; give it with 'critical F'"},
+    {"critical load", -1, -1, "give it with 'critical F', and friction with 'friction mu'"},
     {"adhesion", -1, lubcontact::NORMAL_CONTACT, "give the pull-off force with 'adhesion F'"},
     {"repulsion", 5, lubcontact::REPULSIVE_FORCE,
      "give its force and length with 'repulsion F lambda'"},
@@ -369,7 +369,7 @@ std::string SuspensionScene::head_of(const Measured &all, int nsteps, bool as_de
   if (!all.history_kept)
     text += "  the pairs had no history yet: films and springs have built up in the first half\n";
   else if (!as_deck)
-    text += "  what the deck has not, began as for pairs that have just met\n";
+    text += "  what the deck lacks began as in pairs that have just met\n";
   text +=
       fmt::format("  everything on{}: stress xy {:.6g} +- {:.2g}, pressure yy {:.6g} +- {:.2g}, "
                   "{:.4g} microseconds of CPU a step\n",
