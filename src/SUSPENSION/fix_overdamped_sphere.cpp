@@ -120,7 +120,7 @@ void FixOverdampedSphere::find_limit()
   auto *pair = dynamic_cast<PairLubcontact *>(find_lubcontact(lmp));
   if (!pair) return;
   std::vector<double> stiffness;
-  pair->sum_stiffness_overdamped(lubcontact::OVERDAMPED_SLIDING, stiffness);
+  pair->sum_stiffness_overdamped(lubcontact::SPIN_OF_DRAG, stiffness);
   double mine = HUGE_VAL;
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & groupbit) && stiffness[i] > 0.0)

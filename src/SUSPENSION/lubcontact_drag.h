@@ -64,9 +64,9 @@ inline double overdamped_step_limit(double stiffness, double coefficient)
   return coefficient / stiffness;
 }
 
-// What a spring kt between two surfaces weighs against a normal one: it moves the centers by
-// kt/translation and the surfaces by kt R^2/rotation, 3/4 of it for both shapes.
-static constexpr double OVERDAMPED_SLIDING = 1.75;
+// How much more easily a force at the surface turns a particle than it moves it: R^2/rotation over
+// 1/translation, for both shapes. A sliding spring kt weighs kt (1 + 3/4), see lubcontact_stiffness.h.
+static constexpr double SPIN_OF_DRAG = 0.75;
 
 }    // namespace lubcontact
 

@@ -19,6 +19,7 @@
 #include "fix.h"
 #include "force.h"
 #include "lubcontact_pair.h"
+#include "lubcontact_stiffness.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "update.h"
@@ -26,10 +27,6 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-
-// what a tangential spring weighs, as if both particles had the mass of one: normal g; sliding with
-// spin kt (1 + 5/2), inertia (2/5) m R^2; rolling, kt a^2, has 5/2 kt only
-static constexpr double SLIDING = 3.5;
 
 /* ----------------------------------------------------------------------
    largest radius of each type, those that fix pour and deposit will insert included
@@ -95,11 +92,11 @@ void PairLubcontact::check_box() const
 }
 
 /* ----------------------------------------------------------------------
-   sum over the partners of each owned atom of the stiffest mode of a pair, tangential springs and
-   partners themselves weighing as given. Returns the number of pairs in range on this rank
+   sum over the partners of each owned atom of the stiffest mode of a pair, particles turning as
+   easily as spin says, or of each if that is given. Returns the number of pairs in range on this rank
 ------------------------------------------------------------------------- */
 
-double PairLubcontact::sum_stiffness(double tangential, double each)
+double PairLubcontact::sum_stiffness(double spin, double each)
 {
   const int nlocal = atom->nlocal;
   stiffness.assign(nlocal + atom->nghost, 0.0);
@@ -118,9 +115,12 @@ double PairLubcontact::sum_stiffness(double tangential, double each)
       if (geometry.un >= reach[itype][jtype] * a) continue;
       if (faces_i && !faces_i[jj] && geometry.un >= touching_gap(coeffs[itype][jtype]) * a)
         continue;
-      const double k = each > 0.0 ? each : MAX(g[itype][jtype], tangential * kt[itype][jtype]);
-      stiffness[i] += k;
-      stiffness[j] += k;
+      lubcontact::PairStiffness k{each, each};
+      if (each == 0.0)
+        k = lubcontact::pair_stiffness(g[itype][jtype], kt[itype][jtype], spin, geometry, ri, rj,
+                                       mode[ROLL], mode[TWIST]);
+      stiffness[i] += k.i;
+      stiffness[j] += k.j;
       pairs += force->newton_pair || j < nlocal ? 1.0 : 0.5;
     }
   }
@@ -136,9 +136,9 @@ void PairLubcontact::count_partners(std::vector<double> &sum)
   sum.swap(stiffness);
 }
 
-void PairLubcontact::sum_stiffness_overdamped(double tangential, std::vector<double> &sum)
+void PairLubcontact::sum_stiffness_overdamped(double spin, std::vector<double> &sum)
 {
-  sum_stiffness(tangential, 0.0);
+  sum_stiffness(spin, 0.0);
   sum.swap(stiffness);
 }
 
@@ -176,7 +176,7 @@ void PairLubcontact::setup()
   check_box();
   update_viscosity();
   tessellate();
-  const double mine = sum_stiffness(SLIDING, 0.0);
+  const double mine = sum_stiffness(lubcontact::SPIN_OF_INERTIA, 0.0);
   double pairs;
   MPI_Allreduce(&mine, &pairs, 1, MPI_DOUBLE, MPI_SUM, world);
   const double limit = dt_limit = time_step_limit();

@@ -175,7 +175,7 @@ TEST(Overdamped, SlidingWeighsTheSpinOfBothShapes)
     const double R = 0.6, kt = 2.0;
     const Drag d = drag(shape, 0.3, R);
     const double rate = 2.0 * kt / d.translation + 2.0 * R * R * kt / d.rotation;
-    EXPECT_NEAR(rate, 2.0 / overdamped_step_limit(OVERDAMPED_SLIDING * kt, d.translation), 1e-12);
+    EXPECT_NEAR(rate, 2.0 / overdamped_step_limit((1.0 + SPIN_OF_DRAG) * kt, d.translation), 1e-12);
   }
 }
 
