@@ -60,6 +60,7 @@ struct Scene {
   std::vector<Pair> pairs{};
   Energies heat{};
   double dropped = 0.0;    // energy of springs that left the range with their pair
+  double brought = 0.0;    // energy that pairs have where they come into range: repulsion
 
   void start()
   {
@@ -138,12 +139,14 @@ struct Scene {
         continue;
       }
       const Body i{si.x, si.v, si.omega, si.radius}, j{sj.x, sj.v, sj.omega, sj.radius};
-      if (!p.known)
+      const bool known = p.known;
+      if (!known)
         law.first(c, p.g, p.history);
       else if (advance)
         advance_pair(p, i, j);
       p.known = true;
       p.load = law.load(c, film, p.g, p.history);
+      if (advance && !known) brought += total(law.stored(c, p.g, p.load, p.history));
       const Vec3 force = force_on_i(p.load, p.g);
       si.force = si.force + force;
       sj.force = sj.force - force;
