@@ -44,7 +44,7 @@ def edges(centers):
 
 
 found = package()
-fig, axes = plt.subplots(2, 2, figsize=(8, 7), sharex=True, sharey=True, constrained_layout=True)
+fig, axes = plt.subplots(2, 2, figsize=(8, 7.3), sharex=True, sharey=True, constrained_layout=True)
 agree = 0
 for ax, stokes in zip(axes.flat, STOKES):
     table = np.array(area(stokes))
@@ -60,9 +60,10 @@ for ax in axes[1]:
     ax.set_xlabel(r"roughness $\varepsilon$")
 for ax in axes[:, 0]:
     ax.set_ylabel(r"contact number $K = k \varepsilon a/$weight")
+fig.get_layout_engine().set(rect=(0, 0, 1, 0.96))
 for word in regimes.NAMES:
     axes[0, 0].plot([], [], STYLE[word][1], color=STYLE[word][2], label=word)
-axes[0, 0].legend(loc="upper left", framealpha=0.9)
+fig.legend(*axes[0, 0].get_legend_handles_labels(), loc="upper center", ncol=3, frameon=False)
 print(f"package and SciPy agree at {agree} of {len(found)} points")
 figure = Path(sys.argv[0]).resolve().parents[3] / "doc" / "src" / "hard_cases_regimes.png"
 fig.savefig(figure, dpi=110)
