@@ -1,5 +1,5 @@
-// A few spheres under the law of pairs, moved by velocity Verlet as LAMMPS' fix nve/sphere moves
-// them: whole scenes without LAMMPS. Velocities of the half step go into the law, pairs out of range
+// A few spheres under the law of pairs, moved by velocity Verlet as LAMMPS' fix nve/sphere does:
+// whole scenes without LAMMPS. Velocities of the half step go into the law, pairs out of range
 // forget, all pairs have the same coefficients.
 
 #ifndef HARD_CASES_SCENE_H
