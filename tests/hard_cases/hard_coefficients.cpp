@@ -5,6 +5,8 @@
 #include "falling.h"
 #include "lubcontact_stiffness.h"
 
+#include <complex>
+
 using namespace hard_cases;
 using namespace testing_tools;
 
@@ -135,6 +137,39 @@ TEST(HardCoefficients, AThinFilmThatWasSqueezedOutOpensAsLateAsItClosed)
     while (s.spheres[1].x.z <= 2.05) s.step();
     EXPECT_NEAR(speed(s), exact, 1e-3 * v0) << "eta " << eta;
   }
+}
+
+TEST(HardCoefficients, RollingSpringsAMillionTimesSofterAndHarderThanTheBulk)
+{
+  // two spheres with spins +w and -w at a fixed gap: J w' = -kr q, q' = 2 w - q/T, kr = kt a^2, T =
+  // resistance/kr, hence q'' + q'/T + (2 kr/J) q = 0; films from 10 times softer to harder
+  const double g = 1e3, mass = 1.0, J = 0.4 * mass, gap = 0.1, courant = 0.02, w0 = 1e-6;
+  for (const double ratio : {1e-6, 1e-3, 1.0, 1e3, 1e6})
+    for (const double strength : {0.1, 1.0, 10.0}) {
+      const double kr = ratio * g, omega = std::sqrt(2.0 * kr / J), T = strength / omega;
+      // (3/5 + (63/125) u) pi eta ln(1/u), the resistance of equal spheres of radius 1
+      const double shape = PI * (0.6 + 0.504 * gap) * std::log(1.0 / gap);
+      Scene s{FULL, make_coeffs(g, g, 0.0, kr, 0.0),
+              make_film(T * kr / shape, 1.0, Range::CUT, 0.6)};
+      s.dt = courant / omega;
+      s.spheres = {{{0.0, 0.0, 2.0 + gap}, {}, {w0, 0.0, 0.0}, 1.0, mass},
+                   {{}, {}, {-w0, 0.0, 0.0}, 1.0, mass}};
+      s.start();
+      const std::complex<double> root =
+          std::sqrt(std::complex<double>(0.25 / (T * T) - omega * omega, 1e-9 * omega * omega));
+      const std::complex<double> fast = -0.5 / T - root, slow = -0.5 / T + root;
+      for (int n = 1; n <= 2000; n++) {
+        s.step();
+        const double t = n * s.dt;
+        const std::complex<double> a = std::exp(slow * t), b = std::exp(fast * t);
+        const double q = 2.0 * w0 * std::real((a - b) / (2.0 * root));
+        const double rate = 2.0 * w0 * std::real((slow * a - fast * b) / (2.0 * root));
+        const double error = courant * courant * w0;
+        ASSERT_NEAR(s.spheres[0].omega.x, 0.5 * (rate + q / T), error * (1.0 + omega * t / 10.0))
+            << "kt/g " << ratio << " film " << strength << " step " << n;
+        ASSERT_EQ(norm(s.spheres[0].v), 0.0);
+      }
+    }
 }
 
 TEST(HardCoefficients, StepsUpToTheStabilityLimitKeepTheEnergyBounded)
