@@ -45,8 +45,8 @@ class Run:
         return self.tables()[-1]
 
 
-def run(deck, ranks=None, fails=False, **variables):
-    """Runs CASE/deck, or a deck by its full path, with index variables; stops the test if it fails, or if fails=True and it does not."""
+def command_line(deck, ranks=None, **variables):
+    """Command that runs CASE/deck, or a deck by its full path, with index variables; and its environment."""
     ranks = RANKS if ranks is None else ranks
     environment = dict(os.environ)
     lmp = environment.pop("LAMMPS_EXECUTABLE")    # for the set-up tools it would mean a LAMMPS of the user
@@ -54,6 +54,12 @@ def run(deck, ranks=None, fails=False, **variables):
                str(CASE / deck), "-log", "none", "-nocite", "-var", "root", str(ROOT)]
     for name, value in variables.items():
         command += ["-var", name] + ([str(v) for v in value] if isinstance(value, (list, tuple)) else [str(value)])
+    return command, environment
+
+
+def run(deck, ranks=None, fails=False, **variables):
+    """Runs a deck, see command_line(); stops the test if it fails, or if fails=True and it does not."""
+    command, environment = command_line(deck, ranks, **variables)
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           check=False, env=environment)
     if (done.returncode != 0) != fails:
