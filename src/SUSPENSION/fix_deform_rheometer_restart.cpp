@@ -13,6 +13,7 @@
 #include "comm.h"
 #include "error.h"
 #include "memory.h"
+#include "restart_seal.h"
 #include "rheometer_flow.h"
 #include "rheometer_servo.h"
 
@@ -26,7 +27,8 @@ enum { SIZE, FLOW, DRIVE, DRIVEN, AMPLITUDE, FREQUENCY, CONFINEMENT, PRESSED, FR
        STRAIN, PATH, TIME, NOW_RATE, NOW_DILATION, XX, YY, ZZ, XY, LX, LY, LZ, TILT, MOVED,
        P_MEAN, P_AGE, R_MEAN, R_AGE, PARTICLES };
 // clang-format on
-static constexpr int RESTART_SIZE = PARTICLES + 4;
+static constexpr int SEAL = PARTICLES + 4;
+static constexpr int RESTART_SIZE = SEAL + 1;
 static constexpr int PERATOM_RESTART = 4;    // this size, position
 
 /* ---------------------------------------------------------------------- */
@@ -34,37 +36,38 @@ static constexpr int PERATOM_RESTART = 4;    // this size, position
 void FixDeformRheometer::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const double buf[RESTART_SIZE] = {RESTART_SIZE,
-                                    static_cast<double>(flow),
-                                    static_cast<double>(drive),
-                                    driven.value,
-                                    amplitude.value,
-                                    frequency.value,
-                                    static_cast<double>(confinement),
-                                    pressure.value,
-                                    static_cast<double>(fresh),
-                                    strain,
-                                    path,
-                                    time,
-                                    rate,
-                                    dilation,
-                                    gradient->xx,
-                                    gradient->yy,
-                                    gradient->zz,
-                                    gradient->xy,
-                                    cell_rate->lx,
-                                    cell_rate->ly,
-                                    cell_rate->lz,
-                                    cell_rate->xy,
-                                    moved,
-                                    watch_pressure->deviation,
-                                    watch_pressure->age,
-                                    watch_rate->deviation,
-                                    watch_rate->age,
-                                    particles[0],
-                                    particles[1],
-                                    particles[2],
-                                    particles[3]};
+  double buf[RESTART_SIZE] = {RESTART_SIZE,
+                              static_cast<double>(flow),
+                              static_cast<double>(drive),
+                              driven.value,
+                              amplitude.value,
+                              frequency.value,
+                              static_cast<double>(confinement),
+                              pressure.value,
+                              static_cast<double>(fresh),
+                              strain,
+                              path,
+                              time,
+                              rate,
+                              dilation,
+                              gradient->xx,
+                              gradient->yy,
+                              gradient->zz,
+                              gradient->xy,
+                              cell_rate->lx,
+                              cell_rate->ly,
+                              cell_rate->lz,
+                              cell_rate->xy,
+                              moved,
+                              watch_pressure->deviation,
+                              watch_pressure->age,
+                              watch_rate->deviation,
+                              watch_rate->age,
+                              particles[0],
+                              particles[1],
+                              particles[2],
+                              particles[3]};
+  buf[SEAL] = suspension::seal(buf, SEAL * sizeof(double));
   const int size = sizeof(buf);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(buf, 1, size, fp);
@@ -79,6 +82,8 @@ void FixDeformRheometer::restart(char *buf)
   if (from[SIZE] != RESTART_SIZE)
     error->all(FLERR, "Fix {} cannot read the restart file of another version of it", style);
   memcpy(from, buf, sizeof(from));
+  if (suspension::seal(from, SEAL * sizeof(double)) != from[SEAL])
+    error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
   if (from[FLOW] != flow)
     error->all(FLERR, "Fix {} cannot go on from a restart file with another flow", style);
   strain = from[STRAIN];
@@ -149,8 +154,10 @@ int FixDeformRheometer::pack_restart(int i, double *buf)
 
 void FixDeformRheometer::unpack_restart(int nlocal, int nth)
 {
-  const double *extra = atom->extra[nlocal];
-  for (int n = 0; n < nth; n++) extra += static_cast<int>(*extra);
+  const double *extra = suspension::part_of_atom(atom->extra[nlocal], nth, atom->nextra_store);
+  if (!extra)
+    error->one(FLERR, "The data of atom {} in the restart file are damaged: use another one",
+               atom->tag[nlocal]);
   memcpy(held[nlocal], extra + 1, 3 * sizeof(double));
   from_restart = true;
 }

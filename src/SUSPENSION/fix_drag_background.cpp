@@ -15,6 +15,7 @@
 #include "error.h"
 #include "force.h"
 #include "modify.h"
+#include "restart_seal.h"
 #include "update.h"
 
 #include <algorithm>
@@ -198,7 +199,8 @@ double FixDragBackground::compute_vector(int n)
 
 void FixDragBackground::write_restart(FILE *fp)
 {
-  const double state[] = {compute_scalar(), fluid->solid};
+  double state[] = {compute_scalar(), fluid->solid, 0.0};
+  state[2] = suspension::seal(state, 2 * sizeof(double));
   if (comm->me) return;
   const int size = sizeof(state);
   fwrite(&size, sizeof(int), 1, fp);
@@ -207,8 +209,10 @@ void FixDragBackground::write_restart(FILE *fp)
 
 void FixDragBackground::restart(char *buffer)
 {
-  double state[2];
+  double state[3];
   memcpy(state, buffer, sizeof(state));
+  if (suspension::seal(state, 2 * sizeof(double)) != state[2])
+    error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
   energy = comm->me ? 0.0 : state[0];
   fluid->solid = state[1];
 }

@@ -11,9 +11,12 @@
 
 #include "atom.h"
 #include "error.h"
+#include "restart_seal.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
+
+static constexpr int EXTRA = 2;    // values of an atom after those of LAMMPS: layout, checksum
 
 /* ----------------------------------------------------------------------
    fix ID all NEIGH_HISTORY/LUBCONTACT dnum layout
@@ -38,37 +41,46 @@ void FixNeighHistoryLubcontact::pre_exchange()
 
 /* ----------------------------------------------------------------------
    of one atom: length, number of partners, ID and dnum values of each, then the layout of the values
+   and the checksum of all
 ------------------------------------------------------------------------- */
 
 int FixNeighHistoryLubcontact::pack_restart(int i, double *buffer)
 {
   const int n = FixNeighHistory::pack_restart(i, buffer);
+  buffer[0] = n + EXTRA;
   buffer[n] = layout;
-  buffer[0] = n + 1;
-  return n + 1;
+  buffer[n + 1] = suspension::seal(buffer, sizeof(double) * (n + 1));
+  return n + EXTRA;
 }
 
 void FixNeighHistoryLubcontact::unpack_restart(int nlocal, int nth)
 {
-  const double *extra = atom->extra[nlocal];
-  int m = 0;
-  for (int i = 0; i < nth; i++) m += static_cast<int>(extra[m]);
-  const int length = static_cast<int>(extra[m]), partners = static_cast<int>(extra[m + 1]);
-  if (length != 3 + partners * (1 + dnum) || extra[m + length - 1] != layout)
+  const double *mine = suspension::part_of_atom(atom->extra[nlocal], nth, atom->nextra_store);
+  const double length = mine ? mine[0] : 0.0;    // if damaged perhaps no integer
+  const double expected = mine ? 2.0 + mine[1] * (1.0 + dnum) + EXTRA : 0.0;
+  const int n = length == expected && length > 0.0 && length <= atom->nextra_store
+      ? static_cast<int>(length)
+      : 0;
+  if (n && suspension::seal(mine, sizeof(double) * (n - 1)) != mine[n - 1])
+    error->one(FLERR,
+               "The pair history of atom {} in the restart file is damaged: use another restart "
+               "file",
+               atom->tag[nlocal]);
+  if (n == 0 || mine[n - EXTRA] != layout)
     error->one(
         FLERR,
         "The restart file holds the pair history of other effects than those that pair style "
-        "lubcontact has now: keep the effects it was written with for the first run after "
-        "read_restart");
+        "lubcontact has now, or it is damaged: keep the effects it was written with for the first "
+        "run after read_restart");
   FixNeighHistory::unpack_restart(nlocal, nth);
 }
 
 int FixNeighHistoryLubcontact::size_restart(int i)
 {
-  return FixNeighHistory::size_restart(i) + 1;
+  return FixNeighHistory::size_restart(i) + EXTRA;
 }
 
 int FixNeighHistoryLubcontact::maxsize_restart()
 {
-  return FixNeighHistory::maxsize_restart() + 1;
+  return FixNeighHistory::maxsize_restart() + EXTRA;
 }

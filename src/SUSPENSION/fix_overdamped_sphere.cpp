@@ -15,6 +15,7 @@
 #include "error.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
+#include "restart_seal.h"
 #include "update.h"
 
 #include <algorithm>
@@ -190,14 +191,19 @@ double FixOverdampedSphere::compute_vector(int n)
 void FixOverdampedSphere::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const int size = sizeof(double);
+  const double state[] = {fluid->solid, suspension::seal(&fluid->solid, sizeof(double))};
+  const int size = sizeof(state);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&fluid->solid, sizeof(double), 1, fp);
+  fwrite(state, sizeof(state), 1, fp);
 }
 
 void FixOverdampedSphere::restart(char *buffer)
 {
-  memcpy(&fluid->solid, buffer, sizeof(double));
+  double state[2];
+  memcpy(state, buffer, sizeof(state));
+  if (suspension::seal(state, sizeof(double)) != state[1])
+    error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
+  fluid->solid = state[0];
 }
 
 /* ---------------------------------------------------------------------- */

@@ -19,6 +19,7 @@
 #include "force.h"
 #include "group.h"
 #include "modify.h"
+#include "restart_seal.h"
 #include "rheometer_flow.h"
 #include "rheometer_plate.h"
 #include "rheometer_servo.h"
@@ -380,14 +381,20 @@ void FixRheometerPlates::write_restart(FILE *fp)
   state.load = load;
   state.amplitude = amplitude.value;
   state.frequency = frequency;
-  const int size = sizeof(State);
+  const double sum = suspension::seal(&state, sizeof(State));
+  const int size = sizeof(State) + sizeof(sum);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(&state, sizeof(State), 1, fp);
+  fwrite(&sum, sizeof(sum), 1, fp);
 }
 
 void FixRheometerPlates::restart(char *buffer)
 {
+  double sum;
   memcpy(&state, buffer, sizeof(State));
+  memcpy(&sum, buffer + sizeof(State), sizeof(sum));
+  if (suspension::seal(&state, sizeof(State)) != sum)
+    error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
 
   // another drive or load than in the run that wrote the file begins anew, as after fix_modify
   const bool other_wave = amplitude.is_number() && state.amplitude != amplitude.value;

@@ -26,6 +26,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using lubcontact::Load;
@@ -105,10 +106,32 @@ PairLubcontact::~PairLubcontact()
   }
 }
 
+/* ----------------------------------------------------------------------
+   LAMMPS looks for positions that are no numbers only when it rebuilds the list, which they never ask
+   for; and they are out of range of everything
+------------------------------------------------------------------------- */
+
+static void check_positions(const Atom *atom, bigint step, Error *error)
+{
+  constexpr double LARGEST = std::numeric_limits<double>::max();
+  int wrong = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 3; d++) wrong |= !(fabs(atom->x[i][d]) <= LARGEST);
+  if (!wrong) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 3; d++)
+      if (!(fabs(atom->x[i][d]) <= LARGEST))
+        error->one(FLERR,
+                   "Position {} of atom {} along {} at step {} is not a number: reduce the time "
+                   "step, or look for what set its velocity or force",
+                   atom->x[i][d], atom->tag[i], "xyz"[d], step);
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::compute(int eflag, int vflag)
 {
+  check_positions(atom, update->ntimestep, error);
   ev_init(eflag, vflag);
   update_viscosity();
   if (neighbor->ago == 0) {

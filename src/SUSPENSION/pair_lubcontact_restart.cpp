@@ -15,54 +15,91 @@
 #include "comm.h"
 #include "error.h"
 #include "lubcontact_friction.h"
+#include "restart_seal.h"
 
 #include <algorithm>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 
+static constexpr int MAX_LENGTH = 1 << 28;    // a million pairs of types and more
+
+/* ----------------------------------------------------------------------
+   bytes with their number and checksum in front
+------------------------------------------------------------------------- */
+
+template <class T> static void append(std::string &bytes, const T &value)
+{
+  bytes.append(reinterpret_cast<const char *>(&value), sizeof(T));
+}
+
+static void write_sealed(FILE *fp, const std::string &bytes)
+{
+  const auto length = static_cast<int>(bytes.size());
+  const double sum = suspension::seal(bytes.data(), bytes.size());
+  fwrite(&length, sizeof(int), 1, fp);
+  fwrite(&sum, sizeof(double), 1, fp);
+  fwrite(bytes.data(), 1, bytes.size(), fp);
+}
+
+// the first rank reads; all get the bytes
+static std::string read_sealed(FILE *fp, LAMMPS *lmp)
+{
+  int length = 0;
+  std::string bytes;
+  if (lmp->comm->me == 0) {
+    double sum = 0.0;
+    utils::sfread(FLERR, &length, sizeof(int), 1, fp, nullptr, lmp->error);
+    utils::sfread(FLERR, &sum, sizeof(double), 1, fp, nullptr, lmp->error);
+    if (length >= 0 && length <= MAX_LENGTH) {
+      bytes.resize(length);
+      const bool whole = fread(&bytes[0], 1, length, fp) == bytes.size();
+      if (!whole || suspension::seal(bytes.data(), bytes.size()) != sum) length = -1;
+    } else
+      length = -1;
+  }
+  MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
+  if (length < 0)
+    lmp->error->all(FLERR,
+                    "The part of pair style lubcontact in the restart file is damaged, or another "
+                    "version of the package has written it: use another restart file");
+  bytes.resize(length);
+  MPI_Bcast(&bytes[0], length, MPI_CHAR, 0, lmp->world);
+  return bytes;
+}
+
+// takes values from the front of bytes; zeros beyond their end
+template <class T> static void take(std::string &bytes, T &value)
+{
+  memset(&value, 0, sizeof(T));
+  memcpy(&value, bytes.data(), std::min(sizeof(T), bytes.size()));
+  bytes.erase(0, sizeof(T));
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::write_restart_settings(FILE *fp)
 {
-  const int length = eta_name ? static_cast<int>(strlen(eta_name)) + 1 : 0;
-  fwrite(&length, sizeof(int), 1, fp);
-  if (length) fwrite(eta_name, 1, length, fp);
-  const double numbers[3] = {eta, hc, roll_coeff};
-  const int choices[7] = {range_rule,  radius_rule, euler,      mode[SQUEEZE],
-                          mode[SHEAR], mode[ROLL],  mode[TWIST]};
-  fwrite(numbers, sizeof(double), 3, fp);
-  fwrite(choices, sizeof(int), 7, fp);
+  std::string bytes;
+  for (const double number : {eta, hc, roll_coeff}) append(bytes, number);
+  for (const int choice :
+       {range_rule, radius_rule, euler, mode[SQUEEZE], mode[SHEAR], mode[ROLL], mode[TWIST]})
+    append(bytes, choice);
+  if (eta_name) bytes += eta_name;
+  write_sealed(fp, bytes);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::read_restart_settings(FILE *fp)
 {
-  int length = 0;
-  double numbers[3];
-  int choices[7];
-  const bool root = comm->me == 0;
-  if (root) utils::sfread(FLERR, &length, sizeof(int), 1, fp, nullptr, error);
-  MPI_Bcast(&length, 1, MPI_INT, 0, world);
+  std::string bytes = read_sealed(fp, lmp);
+  for (double *number : {&eta, &hc, &roll_coeff}) take(bytes, *number);
+  for (int *choice :
+       {&range_rule, &radius_rule, &euler, &mode[SQUEEZE], &mode[SHEAR], &mode[ROLL], &mode[TWIST]})
+    take(bytes, *choice);
   delete[] eta_name;
-  eta_name = length ? new char[length] : nullptr;
-  if (length) {
-    if (root) utils::sfread(FLERR, eta_name, 1, length, fp, nullptr, error);
-    MPI_Bcast(eta_name, length, MPI_CHAR, 0, world);
-  }
-  if (root) utils::sfread(FLERR, numbers, sizeof(double), 3, fp, nullptr, error);
-  if (root) utils::sfread(FLERR, choices, sizeof(int), 7, fp, nullptr, error);
-  MPI_Bcast(numbers, 3, MPI_DOUBLE, 0, world);
-  MPI_Bcast(choices, 7, MPI_INT, 0, world);
-
-  eta = numbers[0];
-  hc = numbers[1];
-  roll_coeff = numbers[2];
-  range_rule = choices[0];
-  radius_rule = choices[1];
-  euler = choices[2];
-  for (int m = 0; m < 4; m++) mode[m] = choices[3 + m];
+  eta_name = bytes.empty() ? nullptr : utils::strdup(bytes);
 }
 
 /* ----------------------------------------------------------------------
@@ -79,13 +116,15 @@ std::array<double **, 9> PairLubcontact::numbers() const
 void PairLubcontact::write_restart(FILE *fp)
 {
   write_restart_settings(fp);
+  std::string bytes;
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
-      const int flags[2] = {setflag[i][j], law[i][j]};
-      fwrite(flags, sizeof(int), 2, fp);
+      append(bytes, setflag[i][j]);
+      append(bytes, law[i][j]);
       if (!setflag[i][j]) continue;
-      for (double **k : numbers()) fwrite(&k[i][j], sizeof(double), 1, fp);
+      for (double **k : numbers()) append(bytes, k[i][j]);
     }
+  write_sealed(fp, bytes);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -94,18 +133,13 @@ void PairLubcontact::read_restart(FILE *fp)
 {
   read_restart_settings(fp);
   if (!allocated) allocate();
+  std::string bytes = read_sealed(fp, lmp);
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
-      int flags[2];
-      if (comm->me == 0) utils::sfread(FLERR, flags, sizeof(int), 2, fp, nullptr, error);
-      MPI_Bcast(flags, 2, MPI_INT, 0, world);
-      setflag[i][j] = flags[0];
-      law[i][j] = flags[1];
+      take(bytes, setflag[i][j]);
+      take(bytes, law[i][j]);
       if (!setflag[i][j]) continue;
-      for (double **k : numbers()) {
-        if (comm->me == 0) utils::sfread(FLERR, &k[i][j], sizeof(double), 1, fp, nullptr, error);
-        MPI_Bcast(&k[i][j], 1, MPI_DOUBLE, 0, world);
-      }
+      for (double **k : numbers()) take(bytes, k[i][j]);
     }
 }
 
