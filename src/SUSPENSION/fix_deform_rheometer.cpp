@@ -158,6 +158,24 @@ void FixDeformRheometer::setup(int /*vflag*/)
 }
 
 /* ----------------------------------------------------------------------
+   what LAMMPS would follow edge by edge, for as long as it takes, or not at all
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::check_move(const Cell &old, const Cell &cell) const
+{
+  auto small = [](double from, double to, double edge) {
+    return fabs(to - from) <= 0.5 * edge;    // false for what is not a number
+  };
+  if (small(old.lx, cell.lx, old.lx) && small(old.ly, cell.ly, old.ly) &&
+      small(old.lz, cell.lz, old.lz) && small(old.xy, cell.xy, old.lx))
+    return;
+  error->all(FLERR,
+             "Fix {}: at step {} the cell would move by more than half an edge in one step, at a "
+             "shear rate of {:.6g} and a step of {:.6g}: reduce the time step",
+             style, update->ntimestep, rate, update->dt);
+}
+
+/* ----------------------------------------------------------------------
    the cell moves with the positions; flips at once if it tilts by more than half an edge
 ------------------------------------------------------------------------- */
 
@@ -172,6 +190,7 @@ void FixDeformRheometer::post_integrate()
 
   const Cell old = {domain->xprd, domain->yprd, domain->zprd, domain->xy};
   const Cell cell = rheometer::advance(old, *cell_rate, dt);
+  check_move(old, cell);
   if (cell.lx != old.lx) domain->boxhi[0] = domain->boxlo[0] + cell.lx;
   if (cell.ly != old.ly) domain->boxhi[1] = domain->boxlo[1] + cell.ly;
   if (cell.lz != old.lz) domain->boxhi[2] = domain->boxlo[2] + cell.lz;

@@ -114,6 +114,7 @@ class FixDeformRheometer : public FixDeform {
   bool has_variables() const;
   void update_targets();
   void check_cell() const;
+  void check_move(const rheometer::Cell &, const rheometer::Cell &) const;
   void restore_positions();
   void find_viscosity();
   void measure_particles();

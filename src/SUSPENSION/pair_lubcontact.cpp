@@ -83,7 +83,8 @@ PairLubcontact::~PairLubcontact()
 {
   if (copymode) return;
 
-  modify->delete_fix(fix_history ? history_id : dummy_id);
+  const std::string &mine = fix_history ? history_id : dummy_id;
+  if (modify->get_fix_by_id(mine)) modify->delete_fix(mine);    // else unloaded with its style
   delete[] svector;
   delete[] eta_name;
   delete[] max_radius;
@@ -222,6 +223,11 @@ void PairLubcontact::choose_effects()
 
 void PairLubcontact::require_history()
 {
+  if (fix_history && modify->get_fix_by_id(history_id) != fix_history)
+    error->all(FLERR,
+               "Fix {} of pair style lubcontact is gone: load the plugin and give pair_style and "
+               "pair_coeff again",
+               history_id);
   if (fix_history && fix_history->get_dnum() != size_history) {
     if (comm->me == 0)
       error->warning(FLERR, "Pair style lubcontact now has other effects: its history is dropped");
