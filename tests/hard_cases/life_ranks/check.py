@@ -1,3 +1,4 @@
+# ranks: 4
 """A restart file written on some ranks and read on others: the same run to the rounding of sums in another order."""
 import numpy as np
 
