@@ -91,7 +91,7 @@ class FixDeformRheometer : public FixDeform {
   std::unique_ptr<rheometer::Gradient> gradient;    // since the flow was last adjusted
   std::unique_ptr<rheometer::Cell> cell_rate;    // and the change of the cell per time since then
   double moved;                                  // time since then
-  std::unique_ptr<rheometer::Watch> watch_pressure, watch_rate;
+  std::unique_ptr<rheometer::Watch> watch_pressure, watch_stress, watch_rate;
 
   double measured_pressure, measured_stress;    // of the particles, when last adjusted
   int state;                                    // rheometer::State

@@ -71,10 +71,11 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
     flow(rheometer::SHEAR), drive(NONE_YET), confinement(OPEN), viscosity_given(false),
     pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0), rate(0.0), dilation(0.0),
     gradient(new rheometer::Gradient()), cell_rate(new rheometer::Cell()), moved(0.0),
-    watch_pressure(new rheometer::Watch()), watch_rate(new rheometer::Watch()),
-    measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), fresh(true),
-    stepped(false), warned(false), warned_every(false), particles(),
-    material(new rheometer::Material()), virial(nullptr), held(nullptr), from_restart(false)
+    watch_pressure(new rheometer::Watch()), watch_stress(new rheometer::Watch()),
+    watch_rate(new rheometer::Watch()), measured_pressure(0.0), measured_stress(0.0),
+    state(rheometer::IDLE), fresh(true), stepped(false), warned(false), warned_every(false),
+    particles(), material(new rheometer::Material()), virial(nullptr), held(nullptr),
+    from_restart(false)
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "Fix {} needs finite-size spheres; use: atom_style sphere", style);
@@ -274,6 +275,7 @@ int FixDeformRheometer::modify_param(int narg, char **arg)
   const int next = parse(0, narg, arg, false);
   check_variables();    // a run with "pre no" does not
   *watch_pressure = rheometer::Watch();
+  *watch_stress = rheometer::Watch();
   *watch_rate = rheometer::Watch();
   fresh = true;
   warned = false;

@@ -25,7 +25,7 @@ using namespace LAMMPS_NS;
 // clang-format off
 enum { SIZE, FLOW, DRIVE, DRIVEN, AMPLITUDE, FREQUENCY, CONFINEMENT, PRESSED, FRESH,
        STRAIN, PATH, TIME, NOW_RATE, NOW_DILATION, XX, YY, ZZ, XY, LX, LY, LZ, TILT, MOVED,
-       P_MEAN, P_AGE, R_MEAN, R_AGE, PARTICLES };
+       P_MEAN, P_AGE, S_MEAN, S_AGE, R_MEAN, R_AGE, PARTICLES };
 // clang-format on
 static constexpr int SEAL = PARTICLES + 4;
 static constexpr int RESTART_SIZE = SEAL + 1;
@@ -61,6 +61,8 @@ void FixDeformRheometer::write_restart(FILE *fp)
                               moved,
                               watch_pressure->deviation,
                               watch_pressure->age,
+                              watch_stress->deviation,
+                              watch_stress->age,
                               watch_rate->deviation,
                               watch_rate->age,
                               particles[0],
@@ -106,6 +108,7 @@ void FixDeformRheometer::restart(char *buf)
   if (turned) time = 0.0;
   if (!moved_target) {
     *watch_pressure = {from[P_MEAN], from[P_AGE]};
+    *watch_stress = {from[S_MEAN], from[S_AGE]};
     *watch_rate = {from[R_MEAN], from[R_AGE]};
   }
   std::copy_n(from + PARTICLES, 4, particles);

@@ -207,7 +207,7 @@ void FixDeformRheometer::judge()
 }
 
 /* ----------------------------------------------------------------------
-   jammed: the stress is carried without flow
+   out of reach: nothing resists enough. Jammed: the stress is carried without flow
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::judge_stress()
@@ -217,8 +217,20 @@ void FixDeformRheometer::judge_stress()
   const double creep = STRESS_FLOOR * rearrangement_rate(*material, target);
   if (state == IDLE) state = FOLLOWING;
   if (creep == 0.0) return;
-  *watch_rate = watch(*watch_rate, fabs(rate) / creep,
-                      servo_rate(*material, rate, target, STRESS_FLOOR), interval());
+  const double w = servo_rate(*material, rate, target, STRESS_FLOOR);
+  const double total =
+      measured_stress + trouton_ratio(static_cast<Flow>(flow)) * material->eta * rate;
+  *watch_stress = watch(*watch_stress, total / target - 1.0, w, interval());
+  if (unreachable(*watch_stress)) {
+    state = UNREACHABLE;
+    if (!warned && comm->me == 0)
+      error->warning(FLERR,
+                     "Fix {}: the stress, now {:.4g} at the rate {:.4g}, has been far from its "
+                     "target {:.4g} for {:.3g} units of strain: it cannot be reached in this scene",
+                     style, total, rate, target, watch_stress->age);
+    warned = true;
+  }
+  *watch_rate = watch(*watch_rate, fabs(rate) / creep, w, interval());
   if (!jammed(*watch_rate)) return;
   state = UNREACHABLE;
   if (!warned && comm->me == 0)

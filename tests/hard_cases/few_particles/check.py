@@ -7,7 +7,7 @@ the cell and across its faces, edges and corners, before and after flips, on one
 """
 import numpy as np
 
-from deck import RANKS, expect, expect_close, finish, run
+from deck import RANKS, expect, expect_close, expect_error, finish, run
 
 STRESS = ["c_stress[1][2]", "c_stress[2][4]", "c_stress[3][4]", "c_stress[4][4]", "c_stress[4][7]", "PotEng", "c_wz"]
 
@@ -58,6 +58,13 @@ def alone_in_shear():
     expect_close("kick: along", t["v_vx"] - t["c_at[2]"], kick * (1 - time) * decay, atol=1e-5)
 
 
+def nobody():
+    """An empty cell runs; the rheometer has nothing to measure and says so."""
+    run("in.nobody")
+    done = run("in.nobody", flow="fix shear all deform/rheometer rate 1 volume", fails=True)
+    expect_error("empty cell", done.text, "Fix deform/rheometer: no particles with a radius in its group")
+
+
 def alone_under_targets():
     """Nothing resists: dilation and rate follow the equations of the servos, solved here with no stress."""
     inertia, rest = 0.05 * 2**2, 1 / (1 + 2 * np.sqrt(0.05))    # I0 = rho d^2; rate of rearrangement at P = eta = 1
@@ -83,4 +90,5 @@ corners()
 alone_in_shear()
 if RANKS == 1:
     alone_under_targets()
+    nobody()
 finish()

@@ -125,6 +125,7 @@ def centers():
            inside.format("lj1043", "1.0 1.0"))
     center("wall/morse", lambda y: 200 * (np.exp(-10 * (y - 1)) - np.exp(-5 * (y - 1))), inside.format("morse", "20.0 5.0 1.0"))
     center("wall/colloid", lambda y: 100 * hamaker(y), inside.format("colloid", "100.0 1.0"))
+    center("indent", lambda y: e * np.maximum(0, c - y)**2, f"fix wall all indent {e} plane y {c} lo")
     center("wall/region", lambda y: 2 * e * np.maximum(0, c - y), f"fix wall all wall/region floor harmonic {e} 0.0 {c}",
            before="region floor plane 0 0 0 0 1 0")
 
