@@ -4,7 +4,7 @@ At a frozen configuration each film is a dashpot, in series with its spring. Wit
 flow (rate y, 0, 0), proportional to exp(i omega t), for each pair at the separation u (n from j to i, s = R + u/2):
     F = -Zn vn n - Zt vt,   T_i = -s_i n x (-Zt vt) - Zr w_roll - Zw w_twist n,   Z = resistance*spring/(spring + i omega resistance)
     v_rel = rate r_y ex + v_i - v_j,   vt = v_rel - vn n - (s_i w_i + s_j w_j - (s_i + s_j) rate/2 ez) x n
-and -F, -s_j n x (-Zt vt) + ... on j. Newton's equations of all particles are one complex linear system, at omega = 0 that of
+and -F, -s_j n x (-Zt vt) + ... on j. Newton's equations, or the balance with drag, of all particles are one complex linear system, at omega = 0 that of
 Stokes flow; the stress is -sum r_x F_y/V.
 """
 from dataclasses import dataclass
@@ -26,6 +26,7 @@ class Network:
     g: float = 1e3
     kt: float = 5e2
     reach: float = 0.5    # of the films over a
+    drag: bool = False    # of Stokes on each particle, towards the flow, in place of its inertia
 
     def resistances(self, u, a):
         """Of squeeze, shear, roll and twist (Chevremont; Frankel & Acrivos; Jeffrey & Onishi)."""
@@ -56,7 +57,11 @@ class Network:
     def stress(self, omega=0.0):
         """sigma_xy of squeeze and shear films over the rate, complex."""
         count = len(self.state["x"])
-        if omega > 0:
+        if self.drag:
+            radius = self.state["radius"]
+            coefficients = np.stack([6 * np.pi * self.eta * radius, 8 * np.pi * self.eta * radius**3], 1)
+            A = np.diag(np.repeat(coefficients, 3, axis=1).ravel()).astype(complex)
+        elif omega > 0:
             inertia = np.stack([self.state["mass"], 0.4 * self.state["mass"] * self.state["radius"]**2], 1)
             A = np.diag(1j * omega * np.repeat(inertia, 3, axis=1).ravel())
         else:

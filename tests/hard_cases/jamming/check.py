@@ -66,6 +66,10 @@ def out_of_reach():
     late = t["f_shear[9]"] > 10.5
     expect("nothing resists: state 3 after ten units of strain", np.all(t["f_shear[10]"][late] == 3) and late.any()
            and np.all(t["f_shear[10]"][t["f_shear[9]"] < 9.5][1:] == 1))
+    rest = run("in.dry", part="rest").thermo()
+    expect("nothing resists: judged in the same step after a restart",
+           np.array_equal(rest["f_shear[10]"][1:], t["f_shear[10]"][-len(rest["Step"]) + 1:]) and np.ptp(rest["f_shear[10]"]) > 0,
+           rest["f_shear[9]"][0])
 
 
 volume()

@@ -43,6 +43,18 @@ def rates():
         expect_close(f"rate {rate}: squeeze and shear stress over the rate", got, expected, rtol=1e-2 if abs(rate) == 1 else 4e-4)
 
 
+def overdamped():
+    """The same without inertia, with drag towards the flow."""
+    case = dict(N=60, g=1e4, coeffs="", move="overdamped/sphere pair cell", step="1e-4", separation=0.03)
+    tables, particles, _ = stages(("rate 1e-3 volume", 0.5), ("rate 1", 0.01), ("rate -1e-3", 0.5), **case)
+    for n, rate in (0, 1e-3), (2, -1e-3):
+        t = tables[n]
+        box = tuple(t[name][-1] for name in ("Lx", "Ly", "Lz", "Xy"))
+        got = [t[name][-1] / rate for name in ("c_stress[3][4]", "c_stress[4][4]")]
+        expected = Network(particles[n], box, drag=True).stress().real
+        expect_close(f"overdamped, rate {rate}: squeeze and shear stress over the rate", got, expected, rtol=4e-4)
+
+
 def moved(edge, a, b, strain):
     """Root mean square of the displacements relative to the flow."""
     d = np.array([b[c] - a[c] for c in "xyz"])
@@ -67,5 +79,6 @@ def reversal():
 
 
 rates()
+overdamped()
 reversal()
 finish()
