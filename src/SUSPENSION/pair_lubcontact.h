@@ -88,10 +88,10 @@ class PairLubcontact : public Pair {
   bigint partition_atom_step;
 
   // for suspension_scene
-  static const std::vector<std::string> EFFECTS;                        // that can be left out
-  bool uses(const std::string &) const;                                 // one of them
-  void leave_out(const std::string &);                                  // from the next init() on
-  struct Laws {    // their numbers; NaN: as they are
+  static const std::vector<std::string> EFFECTS;    // that can be left out
+  bool uses(const std::string &) const;             // one of them
+  void leave_out(const std::string &);              // from the next init() on
+  struct Laws {                                     // their numbers; NaN: as they are
     double friction, critical, pull_off, repulsion, screening;
   };
   void switch_on(const Laws &, double);    // and all films; radius of the pull-off force

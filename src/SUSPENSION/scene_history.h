@@ -52,8 +52,8 @@ inline std::vector<int> history_map(unsigned from, unsigned to)
 static constexpr unsigned EVERYTHING = lubcontact::NUM_COMBINATIONS - 1;
 using Whole = lubcontact::Effects<EVERYTHING>;
 
-// All slots of a pair at un that has a gap and a bond already, or null; the rest as of a pair seen for
-// the first time, with the extensions X of the normal mode.
+// All slots of a pair at un that has a gap and a bond already, or null; the rest as of a pair seen
+// for the first time, with the extensions X of the normal mode.
 template <unsigned X>
 std::array<double, Whole::HISTORY_SIZE> new_slots(const lubcontact::NormalCoeffs &c, double a,
                                                   double un, const double *gap, const double *bond)

@@ -106,6 +106,14 @@ Mean change(const double *without, const double *with)
   return {d.value / scale, d.error / scale};
 }
 
+// are both changes below the limit, with (1) or without (-1) twice their errors?
+bool below(const Mean *by, double sign, double limit)
+{
+  return std::all_of(by, by + 2, [&](const Mean &x) {
+    return fabs(x.value) + sign * 2.0 * x.error < limit;
+  });
+}
+
 std::string percent(double x)
 {
   return std::isfinite(x) ? fmt::format("{:.1f} %", 100.0 * x) : "-";
@@ -330,14 +338,10 @@ std::string SuspensionScene::leave_out_in_turn(const SceneInstance::Plan &plan,
     const Measured one = run_copy(plan, nsteps, without);
     row(effect.effect, one, of_stress, of_power);
     const Mean by[2] = {change(one.stress, all.stress), change(one.pressure, all.pressure)};
-    auto below = [&](double sign) {
-      return fabs(by[0].value) + sign * 2.0 * by[0].error < options.limit &&
-          fabs(by[1].value) + sign * 2.0 * by[1].error < options.limit;
-    };
-    if (below(1.0)) {
+    if (below(by, 1.0, options.limit)) {
       less.without.push_back(name);
       lines = one.deck;
-    } else if (below(-1.0))
+    } else if (below(by, -1.0, options.limit))
       undecided += " " + name;
   }
   if (less.without.size() > 1) {
