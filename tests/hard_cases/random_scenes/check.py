@@ -86,9 +86,10 @@ if deck.RANKS == 1:
         mu = np.sqrt(np.take(scene.mu, one.astype(int) - 1) * np.take(scene.mu, two.astype(int) - 1))
         load = np.maximum(0, contact)
         worst.see("gaps are positive", -np.min(u, initial=1), 1e-300, scene)
-        worst.see("friction within Coulomb", np.max(friction - mu * load, initial=0), 1e-9 * np.max(load, initial=0) + 1e-300, scene)
+        little = 1e-9 * np.max(load, initial=0) + 1e-300
+        worst.see("friction within Coulomb", np.max(friction - mu * load, initial=0), little, scene)
         if not scene.shear:
-            worst.see("without film all of the shear is friction", np.max(shear, initial=0), 1e-9 * np.max(load, initial=0) + 1e-300, scene)
+            worst.see("without film all of the shear is friction", np.max(shear, initial=0), little, scene)
         if not scene.squeeze and not scene.adhesion:
             worst.see("without film and adhesion nothing attracts", -np.min(contact + film, initial=0), 1e-300, scene)
         worst.see("repulsion repels", -np.min(repulsion, initial=0), 1e-300, scene)
@@ -96,12 +97,15 @@ if deck.RANKS == 1:
         moved = scene.moved()
         back = np.argsort(moved.order)
         drift = moved.shift + STEPS * scene.dt * moved.boost
-        for what, limit, found, mine, move in (("positions", 1e-9, "x y z", x, drift), ("velocities", 1e-6 * speed, "vx vy vz", v, moved.boost),
-                                               ("spins", 1e-6 * speed / np.min(scene.radius), "omegax omegay omegaz", omega, 0)):
+        compared = (("positions", 1e-9, "x y z", x, drift), ("velocities", 1e-6 * speed, "vx vy vz", v, moved.boost),
+                    ("spins", 1e-6 * speed / np.min(scene.radius), "omegax omegay omegaz", omega, 0))
+        for what, limit, found, mine, move in compared:
             there = (vectors(moved_state, found)[back] - move) @ moved.turn
             worst.see(f"turned, shifted, boosted, renumbered: {what}", np.max(np.abs(there - mine)), limit, scene)
-        seen += [np.sum(contact > 0), np.sum(friction > 0.999 * mu * load * (load > 0)), np.sum(contact + film < 0), len(u)]
-    print(f"{len(SCENES)} scenes, {sum(len(s.x) for s in SCENES)} particles, {sum(s.dim == 2 for s in SCENES)} in 2d, {sum(s.eta == 0 for s in SCENES)} dry")
+        slips = (load > 0) & (friction > 0) & (friction > 0.999 * mu * load)
+        seen += [np.sum(contact > 0), np.sum(slips), np.sum(contact + film < 0), len(u)]
+    print(f"{len(SCENES)} scenes, {sum(len(s.x) for s in SCENES)} particles, {sum(s.dim == 2 for s in SCENES)} in 2d, "
+          f"{sum(s.eta == 0 for s in SCENES)} dry")
     deck.expect("contacts, slipping ones, attraction, pairs seen", np.all(seen > [1000, 200, 2000, 20000]), str(seen.astype(int)))
 else:
     some = SCENES[::3]
