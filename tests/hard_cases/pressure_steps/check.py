@@ -28,4 +28,11 @@ expect_close("volume fraction under the high pressure", phi[1], 0.574 / (1 + np.
 expect_close("friction under the high pressure", mu[1], 0.36 + 0.34 / (1 + 0.0133 / iv) + iv * (1 - phi[1])**-2.5, rtol=0.15)
 expect_close("volume fraction as before", phi[2], phi[0], rtol=0.05)
 expect("the viscous number is large again", mu[2] > 1.2, f"{mu[2]:.2f}")
+
+# a tenth of the roughness does not carry the pressure: films close without limit, and stick
+done = run("in.pressure", low=LOW, high=HIGH, roughness=0.003, separation=0.004, look="suspension_scene")
+crushed = [t for t in done.tables() if "f_shear[3]" in t][2]
+expect("crushed asperities: the adviser says so", "asperities are crushed flat" in done.text)
+expect("crushed asperities: friction is not that of the contacts", crushed["f_mean[3]"][-1] / HIGH > 1.5 * mu[1],
+       f"{crushed['f_mean[3]'][-1] / HIGH:.2f} instead of {mu[1]:.2f}, volume fraction {crushed['f_mean[1]'][-1]:.3f}")
 finish()

@@ -55,6 +55,25 @@ def overdamped():
         expect_close(f"overdamped, rate {rate}: squeeze and shear stress over the rate", got, expected, rtol=4e-4)
 
 
+def stresses():
+    """Imposed stress, up and down by 1000, and reversed: the rate follows at once, does not overshoot, and the stress is held."""
+    targets = (0.3, 300.0, 0.3, -0.3)
+    tables, _, text = stages(("stress 0.3 volume", 10.0), ("stress 300", 0.15), ("stress 0.3", 10.0),
+                             ("stress -0.3", 10.0), N=60, phi=0.45, g=1e5, density=0.5,
+                             coeffs="roughness 0.03 friction coulomb 0.5", separation=0.04)
+    for t, target in zip(tables, targets):
+        late = slice(len(t["Step"]) // 2, None)
+        total = (t["f_shear[5]"] + t["f_shear[2]"])[late]
+        if target == 300:    # the structure adapts over a strain of one: still on the way
+            expect("stress 300: comes near without overshoot", 150 < total[-1] < 300, f"{total[-1]:.1f}")
+        else:
+            expect_close(f"stress {target}: held, with that of the fluid", total.mean(), target, rtol=0.05)
+        expect(f"stress {target}: rate below that of the fluid alone", np.all((t["f_shear[2]"] / target)[late] < 0.5)
+               and np.mean((t["f_shear[2]"] / target)[late]) > 0, f"{t['f_shear[2]'][-1]:.4f}")
+        expect("  state", np.all(t["f_shear[10]"][1:] == 1))
+    expect("stress steps: not jammed, not out of reach", "cannot be reached" not in text and "jammed" not in text)
+
+
 def moved(edge, a, b, strain):
     """Root mean square of the displacements relative to the flow."""
     d = np.array([b[c] - a[c] for c in "xyz"])
@@ -80,5 +99,6 @@ def reversal():
 
 rates()
 overdamped()
+stresses()
 reversal()
 finish()
