@@ -2,10 +2,11 @@
 
 At a frozen configuration each film is a dashpot, in series with its spring. With v_i, w_i velocities and spins relative to the
 flow (rate y, 0, 0), proportional to exp(i omega t), for each pair at the separation u (n from j to i, s = R + u/2):
-    F = -Zn vn n - Zt vt,   T_i = -s_i n x (-Zt vt) - Zr w_roll - Zw w_twist n,   Z = resistance*spring/(spring + i omega resistance)
+    F = -Zn vn n - Zt vt,   T_i = -s_i n x (-Zt vt) - Zr w_roll - Zw w_twist n
+    Z = resistance*spring/(spring + i omega resistance)
     v_rel = rate r_y ex + v_i - v_j,   vt = v_rel - vn n - (s_i w_i + s_j w_j - (s_i + s_j) rate/2 ez) x n
-and -F, -s_j n x (-Zt vt) + ... on j. Newton's equations, or the balance with drag, of all particles are one complex linear system, at omega = 0 that of
-Stokes flow; the stress is -sum r_x F_y/V.
+and -F, -s_j n x (-Zt vt) + ... on j. Newton's equations, or the balance with drag, of all particles are one complex
+linear system, at omega = 0 that of Stokes flow; the stress is -sum r_x F_y/V.
 """
 from dataclasses import dataclass
 

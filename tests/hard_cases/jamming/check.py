@@ -11,7 +11,7 @@ def table(done):
 
 
 def elastic(d, box, g, eps):
-    """Stress xx yy zz of elastic spheres in series with asperities of the same stiffness, which are flat at an overlap of eps a."""
+    """Stress xx yy zz of elastic spheres in series with asperities of the same stiffness, flat at an overlap of eps a."""
     stress = np.zeros(3)
     for _, _, r, n, un, a, _, _ in Network(d, box, reach=eps).pairs():
         stress -= r * n * (g / 2 * (eps * a - un) if un > -eps * a else -g * un)
@@ -19,7 +19,7 @@ def elastic(d, box, g, eps):
 
 
 def volume():
-    """Films add a few percent; the shear film between flattened asperities has no limit of friction, so only normal stress counts."""
+    """Films add a few percent. Only normal stress: the shear film between flattened asperities has no limit of friction."""
     for squeezed, g, eps in (0.66, 1e4, 0.005), (0.72, 1e4, 0.005), (0.72, 1e5, 0.005):
         t = table(run("in.jammed", N=60, squeezed=squeezed, g=g, steps=4000, coeffs=f"roughness {eps}"))[-1]
         box = tuple(t[name][-1] for name in ("Lx", "Ly", "Lz", "Xy"))
@@ -32,7 +32,7 @@ def volume():
 
 
 def below_yield():
-    """Friction 0.05 at volume fraction 0.58: it stays, and the cell expands to lower the pressure as slowly as the servo lets it."""
+    """Friction 0.05 at volume fraction 0.58: it stays, and the cell expands as slowly as the servo lets it."""
     case = dict(N=60, phi=0.56, squeezed=0.58, coeffs="roughness 0.02 friction coulomb 0.5", steps=10000)
     for stress in 0.5, 0.0:
         done = run("in.jammed", flow=f"stress {stress} pressure 10", **case)

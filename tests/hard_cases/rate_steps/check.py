@@ -35,7 +35,7 @@ def rates():
     tables, particles, _ = stages(("rate 1 volume", 0.1), *later, N=60, g=4e5, coeffs="")
     for n, (t, rate) in enumerate(zip(tables, (1, 1e-3, -1e-3, -1, -1e-3))):
         expect_close(f"rate {rate}: is imposed", t["f_shear[2]"][1:], rate)
-        # smooth films under rate 1 are thinner than their geometry, and inertia counts: the next configuration, where they relaxed
+        # under rate 1 smooth films are thinner than their geometry: compare with the next configuration, where they relaxed
         end = n + 1 if abs(rate) == 1 else n
         box = tuple(tables[end][name][-1] for name in ("Lx", "Ly", "Lz", "Xy"))
         expected = Network(particles[end], box).stress().real

@@ -11,8 +11,8 @@ MASS, K = 4 / 3 * np.pi, 1000.0
 
 def gran(damping=0.0, friction=0.0, rest="yplane 0 NULL", style="wall/gran"):
     """A wall with normal dashpot (force/velocity) and sliding friction."""
-    return (f"fix wall all {style} granular hooke {K} {damping} tangential linear_nohistory {1.0 if friction else 0.0} {friction} "
-            f"damping velocity {rest}")
+    sliding = f"tangential linear_nohistory {1.0 if friction else 0.0} {friction}"
+    return f"fix wall all {style} granular hooke {K} {damping} {sliding} damping velocity {rest}"
 
 
 GRAN_Y = gran()
@@ -63,15 +63,16 @@ def regions():
 def overdamped():
     """Without inertia a sphere sinks into the wall by Euler's rule, exactly."""
     weight, c, dt = 2.0 * MASS, 6 * np.pi, 1e-3
-    t = run("in.wall", move="overdamped/sphere 1.0", walls=gran(), weight=2.0, places="0 1 0", step=dt, steps=200, every=1).thermo()
+    t = run("in.wall", move="overdamped/sphere 1.0", walls=gran(), weight=2.0, places="0 1 0", step=dt, steps=200,
+            every=1).thermo()
     sunk = weight / K * (1 - (1 - K * dt / c)**np.arange(201))
     expect_close("overdamped on wall/gran", 1 - t["v_y"], sunk, atol=1e-9)
 
 
 def reflect():
     """Mirrors the centers. Two spheres in contact that are mirrored together do not notice each other."""
-    t = run("in.wall", walls="fix wall all wall/reflect ylo 0.0", pair=1, places="-0.95 1.5 0", second="0.95 1.5 0", start="0 -1 0",
-            coeffs="1e-9 1e-9", step=1e-3, steps=3000).thermo()
+    t = run("in.wall", walls="fix wall all wall/reflect ylo 0.0", pair=1, places="-0.95 1.5 0", second="0.95 1.5 0",
+            start="0 -1 0", coeffs="1e-9 1e-9", step=1e-3, steps=3000).thermo()
     expect_close("wall/reflect: mirrors centers", t["v_y"], np.abs(1.5 - t["Time"]), atol=1e-12)
     expect_close("wall/reflect: and the velocity", t["v_vy"], np.where(t["Time"] < 1.5005, -1, 1))
     expect_close("wall/reflect: no film force between mirrored spheres", t["v_fy"], 0.0, atol=1e-20)
@@ -103,7 +104,7 @@ def center(what, force, args, **case):
 
 
 def hamaker(y):
-    """wall/colloid: the derivative of the energy of a sphere of radius 1 at the distance y - 1 of surfaces, epsilon = sigma = 1."""
+    """wall/colloid: derivative of the energy of a sphere of radius 1, surfaces at the distance y - 1, epsilon = sigma = 1."""
     def energy(d):
         return ((6 - d) / d**7 + (d + 8) / (d + 2)**7) / 7560 - \
             (2 * (d + 1) + d * (d + 2) * (np.log(d) - np.log(d + 2))) / (6 * d * (d + 2))
