@@ -104,11 +104,11 @@ def way_back(rows):
 
 
 SCENES = {    # duration, largest and smallest time step of the scan, common time step, error
-    "fall": ("a sphere falls on another from a gap of 0.1 to 0.003", 3.95, 1.28e-3, 1.25e-6, 2e-5, log_error(fall)),
-    "squeeze": ("pressed to and pulled off another, gap 0.1 to 0.003 and back", 2 * np.pi, 1.28e-3, 1.25e-6, 2e-5, log_error(squeeze)),
+    "fall": ("a sphere falls on another from a gap of 0.1 to 0.003", 3.95, 5.12e-3, 1.25e-6, 2e-5, log_error(fall)),
+    "squeeze": ("pressed to and pulled off another, gap 0.1 to 0.003 and back", 2 * np.pi, 5.12e-3, 1.25e-6, 2e-5, log_error(squeeze)),
     "pass": ("two spheres pass each other in shear", 20.0, 1.28e-2, 2.5e-5, 4e-4, streamline),
     "reversal": ("two spheres meet in shear, and the flow turns round", 16.0, 1.28e-2, 2.5e-5, 4e-4, way_back),
-    "suspension": ("200 spheres at a volume fraction of 0.5 in shear", 0.2, 2.56e-3, 1e-5, 1.6e-4, None),
+    "suspension": ("200 spheres at a volume fraction of 0.5 in shear", 0.2, 2.56e-3, 2.5e-6, 1.6e-4, None),
 }
 
 
