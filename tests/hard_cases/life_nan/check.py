@@ -22,7 +22,7 @@ CASES = [    # command in the middle of the run, time step, errors of which one 
     ("print nothing", 1e10, ["the cell would move by more than half an edge"], 81, True),
 ]
 deck.make_state()
-for what, dt, messages, latest, warned in CASES[::deck.RANKS]:
+for what, dt, messages, latest, warned in CASES[deck.RANKS - 1::2]:
     name = f"{what}, time step {dt}"
     for path in (Path("restart_a"), Path("restart_b")):
         path.unlink(missing_ok=True)

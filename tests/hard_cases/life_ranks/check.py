@@ -7,7 +7,7 @@ import deck
 GRIDS = {1: "1 1 1", 2: "1 2 1", 4: "2 2 1"}
 
 deck.make_state()
-for wrote, reads in ((4, 1), (1, 4), (2, 4), (4, 2)):
+for wrote, reads in ((4, 1), (2, 4)):
     deck.run("in.write", ranks=wrote, grid=GRIDS[wrote])
     text = deck.run("in.read", ranks=reads, grid=GRIDS[reads]).text
     a, b = deck.read_dump("straight.dump"), deck.read_dump("restarted.dump")
