@@ -6,7 +6,7 @@ set -euo pipefail
 source "$(dirname "$0")/common.sh"
 
 packages="g++ make cmake ninja-build ccache libopenmpi-dev openmpi-bin python3 python3-numpy python3-scipy
-  python3-matplotlib python3-pil libgtest-dev libbenchmark-dev voro++-dev xz-utils curl ca-certificates"
+  python3-matplotlib python3-pil libgtest-dev libbenchmark-dev voro++-dev valgrind xz-utils curl ca-certificates"
 
 # SUSPENSION_SKIP_PACKAGES=1: trust that compiler, MPI and so on come from elsewhere (modules of a cluster, conda).
 install_packages() {
