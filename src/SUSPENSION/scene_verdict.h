@@ -50,7 +50,9 @@ inline constexpr Threshold THRESHOLD[NUM_LIMITS] = {
      "examples/shear_thickening: 91 to 93 % of the contacts rub at 1.5 to 1.8, 97 to 98 % above 3"},
     {"F/(P d^2)", 0.3,
      "examples/yield_stress: stress +1 +- 8 % at 0.3, +11 +- 9 % at 0.5, +9 and +37 % at 0.9"},
-    {"F/(P d^2)", 0.1, "tests/validation/repulsion: friction -1 +- 1 % at 0.1, -4 +- 1 % at 0.3, -16 +- 2 % at 1"},
+    {"F/(P d^2)", 0.1,
+     "tests/validation/repulsion: friction -1 +- 1 % at 0.1, -4 +- 1 % at 0.3, "
+     "-16 +- 2 % at 1"},
     {"phi", 0.45, "examples/shear_rate: law met at 0.45, viscosity 20 % low at 0.40, 40 % at 0.30"},
     {"phi", 0.2, "estimate: nothing measured below 0.30, where 40 % of the viscosity are missing"},
     {"4 St", 2.0,
