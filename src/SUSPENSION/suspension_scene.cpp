@@ -40,7 +40,8 @@ static constexpr double MANY = 12.0;    // neighbors of a crowded particle
 /* ---------------------------------------------------------------------- */
 
 SuspensionScene::SuspensionScene(LAMMPS *lmp) :
-    Command(lmp), scene(new scene::Scene()), pair(nullptr), walls(false), screening(UNKNOWN)
+    Command(lmp), scene(new scene::Scene()), pair(nullptr), walls(false), screening(UNKNOWN),
+    tolerance(UNKNOWN)
 {
 }
 
@@ -93,6 +94,7 @@ void SuspensionScene::parse(int narg, char **arg)
       {"critical", &scene->critical, 1.0, true},
       {"temperature", &scene->thermal, force->boltz, true},
       {"fluid_density", &scene->fluid_density, force->mvv2e, true},
+      {"tolerance", &tolerance, 1.0, false},
   };
   auto number = [&](int iarg, const char *name, bool zero) {
     const double value = utils::numeric(FLERR, arg[iarg], false, lmp);
@@ -254,7 +256,8 @@ void SuspensionScene::report() const
                         scene::ANSWER_NAME[v.answer], v.why);
   for (const std::string &warning : scene::warnings(*scene, n))
     text += "  warning: " + warning + "\n";
-  utils::logmesg(lmp, text + deck_lines(n, verdicts));
+  text += known(tolerance) ? tolerance_lines() : deck_lines(n, verdicts);
+  utils::logmesg(lmp, text);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -25,6 +25,7 @@ CommandStyle(suspension_scene,SuspensionScene);
 
 namespace scene {
 struct Numbers;
+struct Plan;
 struct Scene;
 struct Verdict;
 }    // namespace scene
@@ -44,6 +45,7 @@ class SuspensionScene : public Command {
   PairLubcontact *pair;    // or null
   bool walls;
   double screening;    // length of the repulsion, if the script gives it
+  double tolerance;    // of the viscosity, or NaN
   void parse(int, char **);
   void read_particles();
   void read_box();
@@ -55,6 +57,11 @@ class SuspensionScene : public Command {
   std::string drag_line() const;
   std::string law_words(const std::vector<scene::Verdict> &) const;
   std::string deck_lines(const scene::Numbers &, const std::vector<scene::Verdict> &) const;
+
+  // settings for a tolerance
+  std::string plan_text(const scene::Plan &) const;
+  std::string stiffer_coeffs(double) const;
+  std::string tolerance_lines() const;
 
   // advice from runs of copies
   struct Measured;

@@ -1,0 +1,167 @@
+// What accuracy costs: proposes settings for a tolerance of the shear viscosity. The laws were
+// measured by benchmarks/accuracy_cost at phi 0.5, friction 0.5, range cut 0.5; test tools.accuracy
+// compares each constant with the runs in its suspension.csv. Errors are relative, against the
+// converged solution of this model: hard particles without inertia, many, small steps. How far
+// that is from an experiment is another matter.
+
+#ifndef SCENE_ACCURACY_H
+#define SCENE_ACCURACY_H
+
+#include "scene_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace scene {
+
+// change of the viscosity = coefficient x^exponent, measured for x in [low, high]; below low the
+// law interpolates to 0, above high nothing is promised
+struct Law {
+  double coefficient, error, exponent, low, high;
+  double at(double x) const { return coefficient * std::pow(x, exponent); }
+  double doubt(double x) const { return error * std::pow(x, exponent); }
+};
+
+enum Cause { TIME_STEP, SOFTNESS, PARTICLE_INERTIA, FEW_PARTICLES, NO_TWIST, NUM_CAUSES };
+inline constexpr const char *CAUSE_NAME[NUM_CAUSES] = {"time step", "stiffness", "particle inertia",
+                                                       "few particles", "twisting film left out"};
+inline constexpr const char *CAUSE_VARIABLE[NUM_CAUSES] = {"rate dt", "P/(E eps)", "St", "1/N",
+                                                           "1 without"};
+// from suspension.py laws
+inline constexpr Law LAW[NUM_CAUSES] = {
+    {-2.0, 1.0, 1.0, 2e-6, 5e-4},
+    {1.0, 0.5, 1.0, 4e-4, 0.45},
+    {0.01, 0.01, 1.0, 0.05, 20.0},
+    {10.0, 5.0, 1.0, 5e-4, 0.02},
+    {-0.01, 0.02, 1.0, 1.0, 1.0},
+};
+
+// standard error of the mean over a strain: scatter/sqrt(N strain), at volume fractions
+struct Scatter {
+  double phi, value;
+};
+inline constexpr Scatter SCATTER[] = {{0.40, 1.5}, {0.45, 1.5}, {0.50, 2.0}, {0.54, 3.0}};
+
+static constexpr double SETTLE = 2.0;           // strain from a packing at rest to the steady flow
+static constexpr double SHORTEST = 4.0;         // strain to average: error bars need it
+// CPU of a particle: of a unit of strain (neighbor lists) and of a step, all films
+static constexpr double STRAIN_SECONDS = 9e-4;
+static constexpr double STEP_SECONDS = 2.9e-7;
+static constexpr double MODEL_DOUBT = 0.15;     // of the model against experiments, tests/validation
+
+// what may be chosen; each value was run
+inline constexpr double STEPS[] = {0.9, 0.66, 0.33};
+inline constexpr double SOFTNESSES[] = {0.045, 0.015, 0.0045, 0.0015, 0.00045};
+inline constexpr double INERTIAS[] = {5.0, 2.0, 0.5, 0.05};
+inline constexpr double SIZES[] = {200, 500, 1000, 2000};
+
+struct Plan {
+  bool possible = false;
+  double step = 0.0, softness = 0.0, St = 0.0, particles = 0.0;
+  bool twist = true;
+  double steps = 0.0;                    // of a unit of strain
+  double strain = 0.0;                   // to average, after SETTLE
+  double change[NUM_CAUSES] = {};        // expected
+  double doubt = 0.0;                    // of their sum, one standard error
+  double scatter = 0.0;                  // one standard error of the mean
+  double cost = 0.0;                     // CPU seconds, all
+  double expected() const
+  {
+    double sum = 0.0;
+    for (const double c : change) sum += std::fabs(c);
+    return sum;
+  }
+  double promised() const { return expected() + 2.0 * std::hypot(doubt, scatter); }
+};
+
+// the best that can be promised, for messages
+inline double finest()
+{
+  return 0.01;
+}
+
+inline std::vector<std::string> remarks(double tolerance, const Scene &s)
+{
+  std::vector<std::string> out;
+  if (tolerance < MODEL_DOUBT)
+    out.push_back("against the converged solution of this model, which itself is within " +
+                  show(100.0 * MODEL_DOUBT) + " % of experiments at best");
+  (void) s;
+  return out;
+}
+
+inline double scatter(double phi)
+{
+  const Scatter *s = SCATTER;
+  constexpr int last = sizeof(SCATTER) / sizeof(Scatter) - 1;
+  if (phi <= s[0].phi) return s[0].value;
+  for (int n = 1; n <= last; n++)
+    if (phi <= s[n].phi) {
+      const double part = (phi - s[n - 1].phi) / (s[n].phi - s[n - 1].phi);
+      return s[n - 1].value + part * (s[n].value - s[n - 1].value);
+    }
+  return s[last].value;
+}
+
+// CPU seconds of the whole run
+inline double seconds(const Plan &p)
+{
+  return p.particles * (SETTLE + p.strain) * (STRAIN_SECONDS + p.steps * STEP_SECONDS);
+}
+
+// what is changed by the settings, and how long to average so that the tolerance holds with 95 %
+inline Plan judge_plan(Plan p, double tolerance, double phi)
+{
+  const double x[NUM_CAUSES] = {1.0 / p.steps, p.softness, p.St, 1.0 / p.particles,
+                                p.twist ? 0.0 : 1.0};
+  double doubt = 0.0;
+  for (int c = 0; c < NUM_CAUSES; c++) {
+    p.change[c] = LAW[c].at(x[c]);
+    doubt += LAW[c].doubt(x[c]) * LAW[c].doubt(x[c]);
+  }
+  p.doubt = std::sqrt(doubt);
+  const double room = 0.5 * (tolerance - p.expected());
+  if (room <= p.doubt) return p;
+  p.scatter = std::sqrt(room * room - doubt);
+  const double root = scatter(phi) / p.scatter;
+  p.strain = std::max(root * root / p.particles, SHORTEST);
+  p.scatter = scatter(phi) / std::sqrt(p.particles * p.strain);
+  p.possible = true;
+  return p;
+}
+
+// steps of a unit of strain: dt = step * limit, the limit in units of sqrt(m/g) at softness and St
+inline double steps_per_strain(const Plan &p, const Scene &s, const Numbers &n, double limit)
+{
+  return 1.0 / (p.step * limit * std::fabs(s.rate)) *
+      std::sqrt(n.St / p.St * (1.0 / n.crushing) / p.softness);
+}
+
+// the cheapest settings that promise the tolerance; limit: of the time step at the settings of now
+inline Plan plan(double tolerance, const Scene &s, const Numbers &n, double limit)
+{
+  Plan best;
+  for (const double step : STEPS)
+    for (const double softness : SOFTNESSES)
+      for (const double St : INERTIAS)
+        for (const double particles : SIZES)
+          for (const bool twist : {true, false}) {
+            Plan p;
+            p.step = step;
+            p.softness = softness;
+            p.St = St;
+            p.particles = particles;
+            p.twist = twist;
+            p.steps = steps_per_strain(p, s, n, limit);
+            p = judge_plan(p, tolerance, s.phi);
+            p.cost = seconds(p);
+            if (p.possible && (!best.possible || p.cost < best.cost)) best = p;
+          }
+  return best;
+}
+
+}    // namespace scene
+
+#endif
