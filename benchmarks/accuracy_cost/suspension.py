@@ -1,11 +1,11 @@
 """Error against CPU time of a sheared dense suspension, one knob at a time.
 
 usage: tools/python.sh suspension.py [SET ...] [--states FOLDER]      sets: those of ORDER, by default all
-       tools/python.sh suspension.py table | draw
 Runs in.suspension for each case, one after the other, appends to suspension.csv, skips what it already holds. See README.md.
 """
 import argparse
 import csv
+import math
 import math
 import os
 import re
@@ -29,8 +29,9 @@ TABLE = HERE / "suspension.csv"
 FIELDS = ["set", "knob", "value", "seed", "particles", "phi", "eta_r", "error", "contact_n", "contact_t", "film_n", "film_t",
           "sxx", "syy", "szz", "phi_error", "off", "off_x", "step", "steps", "cpu", "us", "quarters", "failed"]
 BASE = {"N": 500, "phi": 0.5, "stokes": 0.5, "stiffness": 1e6, "fraction": 0.15, "strain": 9}
-SEEDS = (1, 2, 3)
+SEEDS = (1, 2, 3, 4, 5, 6)
 SETTLE = 1.0     # strain after the change of a knob that is left out
+SETTLED = 2.0    # strain after which a packing flows steadily
 SHORT = 0.1      # strain of the runs that are compared line by line
 FINEST = 0.005   # fraction of their reference
 
@@ -40,8 +41,8 @@ CHEAP = {"stiffness": "1e5"}     # a third of the cost: for scatter and size
 KNOBS = {
     "base": {"base": {"": {}}},
     "time step": {"time step": {f: {"fraction": f, "strain": strain} for f, strain in
-                                (("0.075", 9), ("0.2", 12), ("0.25", 10), ("0.3", 10), ("0.4", 10), ("0.5", 6), ("0.7", 6), ("0.9", 6))}},
-    "stiffness": {"stiffness": {"1e5": {"stiffness": "1e5", "strain": 18}, "3e5": {"stiffness": "3e5"},
+                                (("0.075", 9), ("0.2", 12), ("0.25", 10), ("0.3", 10), ("0.4", 10), ("0.5", 6), ("0.7", 6), ("1.4", 6))}},
+    "stiffness": {"stiffness": {"1e5": {"stiffness": "1e5", "strain": 18}, "3e5": {"stiffness": "3e5"}, "2e5": {"stiffness": "2e5"},
                                 "3e4": {"stiffness": "3e4", "strain": 27}, "1e4": {"stiffness": "1e4", "strain": 6},
                                 "1e7": {"stiffness": "1e7", "strain": 4}}},
     "Stokes number": {"Stokes number": {"0.05": {"stokes": "0.05", "strain": 4}, "1": {"stokes": "1"},
@@ -55,6 +56,7 @@ KNOBS = {
         "effective radius": {"mean": {"modes": "radius mean"}},
         "gap euler, time step": {f: {"fraction": f, "modes": "gap euler"} for f in ("0.15", "0.3")}},
 }
+SMALL = {"200": (200, 22), "100": (100, 40)}    # at the base settings: soft ones break down in a small cell
 SIZES = {"100": (100, 45), "200": (200, 25), "1000": (1000, 9), "2000": (2000, 6)}
 FRACTIONS = {"0.4": {"phi": "0.4"}, "0.45": {"phi": "0.45"}, "0.54": {"phi": "0.54", "stiffness": "6e6", "strain": 6}}
 # many seeds of a cheap setting: the scatter between independent systems
@@ -131,12 +133,15 @@ def cases(wanted):
     """(set, knob, value, seed, variables) of the runs, cheap and important first."""
     for name in wanted:
         if name == "short":
-            for seed in SEEDS:
+            for seed in SEEDS[:3]:
                 for kind, variables in SHORTS.items():
                     for fraction in (str(FINEST), *STEPS):
                         yield name, kind, fraction, seed, {"strain": SHORT, "lines": 50, "frames": "yes", **variables,
                                                            "fraction": fraction}
         elif name == "size":
+            for value, (particles, strain) in SMALL.items():
+                for seed in SEEDS[:4]:
+                    yield name, "particles, base", value, seed, {"N": particles, "strain": strain}
             for value, (particles, strain) in SIZES.items():
                 for seed in SEEDS[:1 if particles > 1000 else 2]:
                     yield name, "particles", value, seed, {**CHEAP, "N": particles, "strain": strain}
@@ -158,8 +163,8 @@ def cases(wanted):
                         yield "strain", knob, value, seed, variables
 
 
-ONCE = ("1e7", "3e4", "1e4", "0.05", "20", "0.25", "0.3", "0.4", "0.5", "0.7", "0.9", "squeeze", "roll", "shear")
-RUNS = {"base": 3, "stiffness": 3, "choices": 1}    # seeds, or two
+ONCE = ("1e7", "3e4", "1e4", "0.05", "20", "0.25", "0.3", "0.4", "0.5", "0.7", "1.4", "squeeze", "roll", "shear")
+RUNS = {"base": 6, "stiffness": 3, "choices": 1}    # seeds, or two
 ORDER = ["base", "short", "stiffness", "Stokes number", "scatter", "left out", "size", "time step", "choices", "pressure",
          "volume fraction"]
 
@@ -193,52 +198,6 @@ def run(wanted, states):
             if new:
                 writer.writeheader()
             writer.writerow(row)
-
-
-def read():
-    """Rows of the table, numbers as such; those that failed apart."""
-    rows = list(csv.DictReader(TABLE.open(encoding="ascii")))
-    for row in rows:
-        for key in set(FIELDS) - {"set", "knob", "value", "quarters", "failed"}:
-            row[key] = float(row[key]) if row[key] else math.nan
-    return [row for row in rows if not row["failed"]], [row for row in rows if row["failed"]]
-
-
-def of(rows, *key):
-    """Rows of a set, knob and value by seed."""
-    return {row["seed"]: row for row in rows if (row["set"], row["knob"], row["value"])[:len(key)] == key}
-
-
-def change(rows, key, base=("strain", "base", "")):
-    """Relative change of the viscosity against the base and its error, from the seeds that both have: a system and its
-    twin share their particles. The error is that of the runs or the scatter of the differences, whichever is larger."""
-    these, those = of(rows, *key), of(rows, *base)
-    seeds = sorted(set(these) & set(those))
-    off = np.array([these[s]["eta_r"] / those[s]["eta_r"] - 1 for s in seeds])
-    errors = [math.hypot(these[s]["error"] / these[s]["eta_r"], those[s]["error"] / those[s]["eta_r"]) for s in seeds]
-    error = math.sqrt(sum(e * e for e in errors if e == e)) / len(seeds)
-    if len(seeds) > 2:
-        error = max(error, off.std(ddof=1) / math.sqrt(len(seeds)))
-    return off.mean(), error
-
-
-def fit(x, changes, exponent):
-    """Coefficient c of change = c x^exponent and its error, which grows if the fit is bad."""
-    power = np.asarray(x) ** exponent
-    y, error = np.asarray(changes).T
-    weight = 1 / error**2
-    c = np.sum(weight * power * y) / np.sum(weight * power**2)
-    chi2 = np.sum(weight * (y - c * power) ** 2) / max(len(y) - 1, 1)
-    return c, math.sqrt(max(chi2, 1) / np.sum(weight * power**2))
-
-
-def scatter(rows, phi):
-    """Scatter C of the mean of a run, as C/sqrt(N strain): between seeds, and its own error."""
-    runs = list(of(rows, "scatter", "phi", phi).values())
-    means = np.array([row["eta_r"] for row in runs])
-    strain = SCATTER[phi][1]["strain"] - SETTLE
-    value = means.std(ddof=1) / means.mean() * math.sqrt(BASE["N"] * strain)
-    return value, value / math.sqrt(2 * (len(means) - 1))
 
 
 def main():

@@ -31,11 +31,8 @@ inline constexpr const char *CAUSE_VARIABLE[NUM_CAUSES] = {"rate dt", "P/(E eps)
                                                            "1 without"};
 // from suspension.py laws
 inline constexpr Law LAW[NUM_CAUSES] = {
-    {-2.0, 1.0, 1.0, 2e-6, 5e-4},
-    {1.0, 0.5, 1.0, 4e-4, 0.45},
-    {0.01, 0.01, 1.0, 0.05, 20.0},
-    {10.0, 5.0, 1.0, 5e-4, 0.02},
-    {-0.01, 0.02, 1.0, 1.0, 1.0},
+    {-2.0, 1.0, 1.0, 2e-6, 5e-4}, {1.0, 0.5, 1.0, 4e-4, 0.45},  {0.01, 0.01, 1.0, 0.05, 20.0},
+    {10.0, 5.0, 1.0, 5e-4, 0.02}, {-0.01, 0.02, 1.0, 1.0, 1.0},
 };
 
 // standard error of the mean over a strain: scatter/sqrt(N strain), at volume fractions
@@ -44,29 +41,29 @@ struct Scatter {
 };
 inline constexpr Scatter SCATTER[] = {{0.40, 1.5}, {0.45, 1.5}, {0.50, 2.0}, {0.54, 3.0}};
 
-static constexpr double SETTLE = 2.0;           // strain from a packing at rest to the steady flow
-static constexpr double SHORTEST = 4.0;         // strain to average: error bars need it
+static constexpr double SETTLE = 2.0;      // strain from a packing at rest to the steady flow
+static constexpr double SHORTEST = 4.0;    // strain to average: error bars need it
 // CPU of a particle: of a unit of strain (neighbor lists) and of a step, all films
 static constexpr double STRAIN_SECONDS = 9e-4;
 static constexpr double STEP_SECONDS = 2.9e-7;
-static constexpr double MODEL_DOUBT = 0.15;     // of the model against experiments, tests/validation
+static constexpr double MODEL_DOUBT = 0.15;    // of the model against experiments, tests/validation
 
 // what may be chosen; each value was run
-inline constexpr double STEPS[] = {0.9, 0.66, 0.33};
-inline constexpr double SOFTNESSES[] = {0.045, 0.015, 0.0045, 0.0015, 0.00045};
-inline constexpr double INERTIAS[] = {5.0, 2.0, 0.5, 0.05};
+inline constexpr double STEPS[] = {0.66};
+inline constexpr double SOFTNESSES[] = {0.045, 0.015, 0.0045, 0.0015, 0.00046};
+inline constexpr double INERTIAS[] = {2.0, 1.0, 0.5, 0.05};
 inline constexpr double SIZES[] = {200, 500, 1000, 2000};
 
 struct Plan {
   bool possible = false;
   double step = 0.0, softness = 0.0, St = 0.0, particles = 0.0;
   bool twist = true;
-  double steps = 0.0;                    // of a unit of strain
-  double strain = 0.0;                   // to average, after SETTLE
-  double change[NUM_CAUSES] = {};        // expected
-  double doubt = 0.0;                    // of their sum, one standard error
-  double scatter = 0.0;                  // one standard error of the mean
-  double cost = 0.0;                     // CPU seconds, all
+  double steps = 0.0;                // of a unit of strain
+  double strain = 0.0;               // to average, after SETTLE
+  double change[NUM_CAUSES] = {};    // expected
+  double doubt = 0.0;                // of their sum, one standard error
+  double scatter = 0.0;              // one standard error of the mean
+  double cost = 0.0;                 // CPU seconds, all
   double expected() const
   {
     double sum = 0.0;
@@ -75,22 +72,6 @@ struct Plan {
   }
   double promised() const { return expected() + 2.0 * std::hypot(doubt, scatter); }
 };
-
-// the best that can be promised, for messages
-inline double finest()
-{
-  return 0.01;
-}
-
-inline std::vector<std::string> remarks(double tolerance, const Scene &s)
-{
-  std::vector<std::string> out;
-  if (tolerance < MODEL_DOUBT)
-    out.push_back("against the converged solution of this model, which itself is within " +
-                  show(100.0 * MODEL_DOUBT) + " % of experiments at best");
-  (void) s;
-  return out;
-}
 
 inline double scatter(double phi)
 {
@@ -160,6 +141,32 @@ inline Plan plan(double tolerance, const Scene &s, const Numbers &n, double limi
             if (p.possible && (!best.possible || p.cost < best.cost)) best = p;
           }
   return best;
+}
+
+// the smallest tolerance that any settings promise, with an endless run
+inline double finest(const Scene &s, const Numbers &n, double limit)
+{
+  double low = 0.0, high = 1.0;
+  for (int k = 0; k < 60; k++) {
+    const double middle = 0.5 * (low + high);
+    (plan(middle, s, n, limit).possible ? high : low) = middle;
+  }
+  return high;
+}
+
+// what the numbers do not say
+inline std::vector<std::string> remarks(double tolerance, const Scene &s)
+{
+  std::vector<std::string> out;
+  if (tolerance < MODEL_DOUBT)
+    out.push_back(
+        "this is about the converged solution of the model, which is not known to be within " +
+        show(100.0 * MODEL_DOUBT) + " % of an experiment");
+  if (s.phi < SCATTER[0].phi || s.phi > SCATTER[sizeof(SCATTER) / sizeof(Scatter) - 1].phi)
+    out.push_back("phi " + show(s.phi) + " is outside what was measured");
+  if (!(s.friction >= 0.3 && s.friction <= 0.7))
+    out.push_back("measured with friction 0.5, not with " + show(s.friction));
+  return out;
 }
 
 }    // namespace scene

@@ -34,14 +34,14 @@ static std::string percent(double x)
    what the plan cannot do without; empty: all there
 ------------------------------------------------------------------------- */
 
-static std::string missing(const scene::Scene &s, const Numbers &n)
+static std::string missing(const scene::Scene &s, const Numbers &n, const Pair *pair)
 {
   if (s.dimension != 3.0) return "measured for spheres only";
   if (!(s.viscosity > 0.0)) return "measured in a fluid only: give its viscosity eta";
   if (!(s.rate != 0.0)) return "give the shear rate: rate g";
   if (!known(n.pressure)) return "give the pressure: pressure P";
   if (!(s.roughness > 0.0)) return "measured for rough particles only: give roughness eps";
-  if (!known(s.g) || !known(s.dt_limit))
+  if (!pair || !known(s.dt_limit))
     return "the limit of the time step is unknown: define the pair style";
   return "";
 }
@@ -66,10 +66,11 @@ std::string SuspensionScene::plan_text(const Plan &p) const
   text += fmt::format("  promised: {} (sum of the errors, twice doubt and scatter), {} expected\n",
                       percent(p.promised()), percent(std::hypot(p.expected(), p.scatter)));
   const double strain = scene::SETTLE + p.strain;
-  text += fmt::format(
-      "  cost: {} CPU seconds of the benchmark's machine = {} per particle and unit of strain x N {} x "
-      "strain {} ({} to settle)\n",
-      show(p.cost), show(p.cost / p.particles / strain), p.particles, show(strain), scene::SETTLE);
+  text += fmt::format("  cost: {} CPU seconds of the benchmark's machine = {} per particle and "
+                      "unit of strain x N {} x "
+                      "strain {} ({} to settle)\n",
+                      show(p.cost), show(p.cost / p.particles / strain), p.particles, show(strain),
+                      scene::SETTLE);
   if (s.particles < 0.9 * p.particles)
     text += fmt::format("  more particles are needed: {} instead of {:.0f}\n", p.particles,
                         s.particles);
@@ -102,9 +103,10 @@ std::string SuspensionScene::stiffer_coeffs(double factor) const
     for (int j = i; j <= atom->ntypes; j++) {
       if (!pair->setflag[i][j]) continue;
       const std::string words = pair->coeff_words(i, j, {});
-      text += fmt::format("  pair_coeff {} {:.4g} {:.4g} asperity {:.4g} {}\n",
-                          atom->ntypes > 1 ? fmt::format("{} {}", i, j) : "* *", factor * g[i][j],
-                          factor * kt[i][j], factor * k[i][j], words.substr(words.find("roughness")));
+      text +=
+          fmt::format("  pair_coeff {} {:.4g} {:.4g} asperity {:.4g} {}\n",
+                      atom->ntypes > 1 ? fmt::format("{} {}", i, j) : "* *", factor * g[i][j],
+                      factor * kt[i][j], factor * k[i][j], words.substr(words.find("roughness")));
     }
   return text;
 }
@@ -114,18 +116,24 @@ std::string SuspensionScene::stiffer_coeffs(double factor) const
 std::string SuspensionScene::tolerance_lines() const
 {
   scene::Scene s = *scene;
-  if (pair) s.g = softest(pair, atom->ntypes);    // the limit of the time step is that of the pair style
+  if (pair)
+    s.g = softest(pair, atom->ntypes);    // the limit of the time step is that of the pair style
   const Numbers n = scene::numbers(s);
   std::string text = fmt::format("Settings for a viscosity within {} of the converged solution of "
-                                 "this model\n", percent(tolerance));
-  const std::string lack = missing(s, n);
+                                 "this model\n",
+                                 percent(tolerance));
+  const std::string lack = missing(s, n, pair);
   if (!lack.empty()) return text + "  cannot tell: " + lack + "\n";
   const Plan p = scene::plan(tolerance, s, n, s.dt_limit);
   if (!p.possible)
-    return text + fmt::format("  cannot promise it: settings were measured to {} only\n",
-                              percent(scene::finest()));
+    return text +
+        fmt::format("  cannot promise it: what was measured is good for {} at best\n",
+                    percent(scene::finest(s, n, s.dt_limit)));
   text += plan_text(p);
   for (const std::string &remark : scene::remarks(tolerance, s)) text += "  " + remark + "\n";
+  if ((pair->settings_text({}) + " ").find(" cut 0.5 ") == std::string::npos)
+    text += "  measured with range cut 0.5, which is part of the model: errors and cost are "
+            "estimates\n";
 
   const double stiffer = 1.0 / (p.softness * n.crushing), heavier = p.St / n.St;
   const double dt = p.step * s.dt_limit * std::sqrt(heavier / stiffer);

@@ -1,0 +1,9 @@
+#!/bin/bash
+# What accuracy costs: runs what the tables lack and draws the figures.
+# usage: ./run.sh
+set -euo pipefail
+cd "$(dirname "$0")"
+../../tools/python.sh suspension.py
+../../tools/python.sh suspension_laws.py draw
+../../tools/python.sh suspension_laws.py table
+if [ -f pairs.py ]; then ../../tools/python.sh pairs.py; fi

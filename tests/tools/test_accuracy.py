@@ -1,0 +1,70 @@
+"""The constants of scene_accuracy.h are those that benchmarks/accuracy_cost measured: each is fitted anew from its table."""
+import re
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "benchmarks" / "accuracy_cost"))
+import suspension_laws    # noqa: E402  pylint: disable=wrong-import-position
+from suspension import SCATTER, SETTLED    # noqa: E402  pylint: disable=wrong-import-position
+
+HEADER = (ROOT / "src" / "SUSPENSION" / "scene_accuracy.h").read_text(encoding="ascii")
+ROWS, _ = suspension_laws.read()
+
+
+def block(name):
+    """Rows of numbers of a table of the header."""
+    text = re.search(rf"{name}\[[A-Z_]*\] = \{{(.*?)\}};", HEADER, re.DOTALL).group(1)
+    inner = re.findall(r"\{([^{}]*)\}", text) or [text]
+    return [[float(word) for word in row.split(",") if word.strip()] for row in inner]
+
+
+def constant(name):
+    return float(re.search(rf"double {name} = (\S+);", HEADER).group(1))
+
+
+def causes():
+    text = re.search(r"CAUSE_NAME\[NUM_CAUSES\] = \{(.*?)\};", HEADER, re.DOTALL).group(1)
+    return re.findall(r'"([^"]*)"', text)
+
+
+class Constants(unittest.TestCase):
+    def assert_rounded(self, got, measured, digits=2):
+        """The number of the header is the measured one, rounded to digits."""
+        self.assertAlmostEqual(got, float(f"{measured:.{digits - 1}e}"), delta=1e-9 * abs(measured))
+
+    def test_laws(self):
+        laws = suspension_laws.laws(ROWS)
+        table = dict(zip(causes(), block("LAW")))
+        self.assertEqual(list(table), list(laws))
+        for cause, (coefficient, error, exponent, low, high) in table.items():
+            with self.subTest(cause):
+                for got, measured in zip((coefficient, error, low, high), laws[cause]):
+                    self.assert_rounded(got, measured)
+                self.assertEqual(exponent, 2.0 if cause == "particle inertia" else 1.0)
+
+    def test_scatter(self):
+        self.assertEqual(sorted(phi for phi, _ in block("SCATTER")), sorted(map(float, SCATTER)))
+        for phi, value in block("SCATTER"):
+            self.assert_rounded(value, suspension_laws.scatter(ROWS, next(p for p in SCATTER if float(p) == phi))[0])
+
+    def test_cost(self):
+        for name, measured in zip(("STRAIN_SECONDS", "STEP_SECONDS"), suspension_laws.seconds(ROWS)):
+            self.assert_rounded(constant(name), measured)
+
+    def test_options_are_within_what_was_run(self):
+        laws = suspension_laws.laws(ROWS)
+        run = [row["step"] for row in ROWS if row["set"] == "strain" and row["knob"] == "time step"]
+        self.assertLessEqual(max(block("STEPS")[0]), max(run))
+        for name, cause in (("SOFTNESSES", "stiffness"), ("INERTIAS", "particle inertia")):
+            self.assertLessEqual(max(block(name)[0]), laws[cause][3])
+        self.assertLessEqual(1 / min(block("SIZES")[0]), laws["few particles"][3])
+        self.assertGreaterEqual(1 / max(block("SIZES")[0]), 0.999 * laws["few particles"][2])
+
+    def test_settling(self):
+        self.assertEqual(constant("SETTLE"), SETTLED)
+
+
+if __name__ == "__main__":
+    unittest.main()
