@@ -159,12 +159,13 @@ def cases(wanted):
         else:
             for knob, values in KNOBS[name].items():
                 for value, variables in values.items():
-                    for seed in SEEDS[:1 if value in ONCE else RUNS.get(name, 2)]:
+                    for seed in SEEDS[:RUNS.get(value, RUNS.get(name, 2))]:
                         yield "strain", knob, value, seed, variables
 
 
-ONCE = ("1e7", "3e4", "1e4", "0.05", "20", "0.25", "0.3", "0.4", "0.5", "0.7", "1.4", "squeeze", "roll", "shear")
-RUNS = {"base": 6, "stiffness": 3, "choices": 1}    # seeds, or two
+# seeds, of a set or of a value; two of all others
+RUNS = {"base": 6, "stiffness": 3, "choices": 1, "1e5": 6,
+        **dict.fromkeys(("1e7", "3e4", "1e4", "0.05", "20", "0.25", "0.3", "0.4", "0.5", "0.7", "1.4", "squeeze", "roll", "shear"), 1)}
 ORDER = ["base", "short", "stiffness", "Stokes number", "scatter", "left out", "size", "time step", "choices", "pressure",
          "volume fraction"]
 

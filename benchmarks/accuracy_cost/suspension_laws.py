@@ -5,6 +5,7 @@ The laws are the constants of src/SUSPENSION/scene_accuracy.h.
 """
 import csv
 import math
+import re
 import sys
 from pathlib import Path
 
@@ -66,6 +67,18 @@ def scatter(rows, phi):
     whole = quarters.mean(axis=1).std(ddof=1) * math.sqrt(BASE["N"] * strain) / quarters.mean()
     parts = quarters.std(ddof=1) * math.sqrt(BASE["N"] * strain / 4) / quarters.mean()
     return (whole, whole / math.sqrt(2 * seeds - 2)) if whole > parts else (parts, parts / math.sqrt(8 * seeds - 2))
+
+
+def parts(rows, phi):
+    """Share of the stress and its scatter C, between seeds, of all contacts and of all films."""
+    runs = list(of(rows, "scatter", "phi", phi).values())
+    root = math.sqrt(BASE["N"] * (SCATTER[phi][1]["strain"] - SETTLE))
+    eta = np.mean([row["eta_r"] for row in runs])
+    found = {}
+    for name in ("contact", "film"):
+        values = np.array([row[f"{name}_n"] + row[f"{name}_t"] for row in runs])
+        found[name] = values.mean() / eta, values.std(ddof=1) / values.mean() * root
+    return found
 
 
 def pressure(rows):
@@ -168,21 +181,27 @@ def table(rows, lost):
     for cause, (c, error, low, high) in laws(rows).items():
         print(f"law {cause}: {c:.3g} +- {error:.2g}, from {low:.2g} to {high:.2g}")
     for phi in sorted(SCATTER):
-        print("scatter phi {}: {:.2f} +- {:.2f}".format(phi, *scatter(rows, phi)))
+        print("scatter phi {}: {:.2f} +- {:.2f}".format(phi, *scatter(rows, phi)), end="; ")
+        print(", ".join(f"{name} {100 * share:.0f} % of the stress, C = {c:.1f}" for name, (share, c) in parts(rows, phi).items()))
     print("CPU of a particle: {:.3g} s a unit of strain, {:.3g} s a step".format(*seconds(rows)))
     print("converged viscosity: {:.2f}, relative error {:.3f}".format(*converged(rows)))
     cost = np.mean([row["us"] for row in of(rows, "strain", "base", "").values()])
     sizes = size_changes(rows)
-    lines = ["what, base; value; dt/limit; eta_r; change in %; CPU in us; over the base;"]
+    lines = ["what, base; value; dt/limit; eta_r; contacts; films; change in %; CPU in us; over the base; remark"]
     seen = dict.fromkeys((row["set"], row["knob"], row["value"]) for row in rows if row["set"] in ("strain", "size"))
     order = list(NAMES)
-    for key in sorted(seen, key=lambda key: order.index(key[1])):
+
+    def place(key):
+        number = re.sub("[^0-9e.-]", "", key[2].split()[-1] if key[2] else "")
+        return order.index(key[1]), float(number) if re.fullmatch(r"[\d.]+(e-?\d+)?", number) else 0
+    for key in sorted(seen, key=place):
         runs = list(of(rows, *key).values())
         eta, us, step = (np.mean([row[name] for row in runs]) for name in ("eta_r", "us", "step"))
         off, error = sizes[key[1:]] if key[0] == "size" else change(rows, key)
         shown = "" if key[1] == "base" else f"{100 * off:+.0f} +- {100 * error:.0f}"
-        lines.append(f"{NAMES[key[1]]}; {key[2]}; {step:.2g}; {eta:.1f}; {shown}; {us:.0f}; {us / cost:.2f}; {remark(runs)}")
-    lines += [f"{NAMES[row['knob']]}; {row['value']}; {row['step']:.2g}; ; ; ; ; fails: {row['failed']}" for row in lost]
+        contact, film = (np.mean([row[f"{name}_n"] + row[f"{name}_t"] for row in runs]) for name in ("contact", "film"))
+        lines.append(f"{NAMES[key[1]]}; {key[2]}; {step:.2g}; {eta:.1f}; {contact:.1f}; {film:.1f}; {shown}; {us:.0f}; {us / cost:.2f}; {remark(runs)}")
+    lines += [f"{NAMES[row['knob']]}; {row['value']}; {row['step']:.2g}; ; ; ; ; ; ; fails: {row['failed'].split(': ', 1)[-1].split(' at step')[0]}" for row in lost]
     (MANUAL / "accuracy_suspension.csv").write_text("\n".join(lines) + "\n", encoding="ascii")
     print("\n".join(lines))
     lines = ["setting; phi; eta_r; CPU in us"]
@@ -214,7 +233,9 @@ def draw_knobs(ax, rows):
     for n, key in enumerate(seen):
         color, mark = marks[key[1]]
         off, error = change(rows, key)
-        us = np.mean([row["us"] for row in of(rows, *key).values()])
+        runs = of(rows, *key).values()
+        us = np.mean([row["us"] for row in runs])
+        mark = "X" if remark(runs).startswith("fails") else mark
         hidden = abs(off) < error
         y = error if hidden else abs(off)
         ax.errorbar(us, y, yerr=0.4 * y if hidden else [[min(error, 0.7 * y)], [error]], uplims=hidden, fmt=mark, ms=4, color=color,
@@ -223,6 +244,7 @@ def draw_knobs(ax, rows):
     for knob, (color, mark) in marks.items():
         ax.plot([], [], mark, ms=4, color=color, label={"time step": "time step over sqrt(m/g)", "left out": "film left out",
                                                        "stiffness": "stiffness g"}.get(knob, knob))
+    ax.plot([], [], "X", color="0.3", ms=4, label="fails: asperities crushed flat")
     ax.set(xscale="log", yscale="log", ylim=(5e-3, 20), ylabel=r"$|$change of $\eta_r|/\eta_r$ against the base (0.15, 1e6, 0.5)")
     ax.set_title("steady viscosity (open, arrow: not more than its error)", fontsize=9)
     ax.legend(frameon=False, fontsize=7, loc="upper right")
@@ -254,7 +276,7 @@ def draw_held(ax, rows):
             error = row["phi_error"] if row["phi_error"] == row["phi_error"] else 0.002
             ax.errorbar(row["us"], row["phi"], yerr=error, fmt="o", ms=4, color=f"C{n}", lw=0.8)
             ax.annotate(value, (row["us"], row["phi"]), fontsize=6.5, xytext=(4, 4 + 4 * (n % 2)), textcoords="offset points",
-                        color=f"C{n}", ha="right" if row["us"] > 4000 or value == "base" else "left")
+                        color=f"C{n}", ha="right" if row["us"] > 3000 or value in ("base", "time step 0.3") else "left")
     ax.set(xscale="log", ylabel=r"$\phi$ at pressure 45 $\eta\dot\gamma$")
     ax.set_title("imposed pressure", fontsize=9)
 

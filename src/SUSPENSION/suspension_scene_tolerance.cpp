@@ -52,11 +52,12 @@ std::string SuspensionScene::plan_text(const Plan &p) const
 {
   const scene::Scene &s = *scene;
   std::string text = fmt::format("  {:<26} {:>10} {:>10}\n", "source of error", "setting", "error");
-  const double x[] = {p.step, p.softness, p.St, p.particles, 0.0};
+  const std::string settings[] = {show(p.step), show(p.softness), show(p.St),
+                                  fmt::format("{:.0f}", p.particles)};
   static constexpr const char *NAME[] = {"dt/limit", "P/(E eps)", "St", "N"};
   for (int c = 0; c < scene::NO_TWIST; c++)
     text += fmt::format("  {:<26} {:>10} {:>10}\n",
-                        fmt::format("{}, {}", scene::CAUSE_NAME[c], NAME[c]), show(x[c]),
+                        fmt::format("{}, {}", scene::CAUSE_NAME[c], NAME[c]), settings[c],
                         percent(p.change[c]));
   text += fmt::format("  {:<26} {:>10} {:>10}\n", "twisting film", p.twist ? "on" : "off",
                       percent(p.change[scene::NO_TWIST]));

@@ -109,6 +109,27 @@ TEST(SceneAccuracy, AllOptionsWereMeasured)
   for (const double x : SIZES) EXPECT_LE(1.0 / x, LAW[FEW_PARTICLES].high);
 }
 
+// a small cell of soft particles breaks down, a large one does not, nor a hard one
+TEST(SceneAccuracy, KeepsSmallCellsHard)
+{
+  EXPECT_TRUE(breaks_down(0.045, 200));
+  EXPECT_FALSE(breaks_down(0.045, 500));
+  EXPECT_FALSE(breaks_down(0.0045, 200));
+  for (const double tolerance : TOLERANCES) {
+    const Plan p = plan_of(tolerance);
+    EXPECT_FALSE(breaks_down(p.softness, p.particles));
+  }
+}
+
+TEST(SceneAccuracy, StaysWithinWhatWasRun)
+{
+  Plan p = plan_of(0.2);
+  ASSERT_TRUE(judge_plan(p, 0.2, 0.5).possible);
+  p.steps = 0.5 / LAW[TIME_STEP].high;
+  p.possible = false;
+  EXPECT_FALSE(judge_plan(p, 0.2, 0.5).possible);
+}
+
 TEST(SceneAccuracy, SaysWhereItEnds)
 {
   EXPECT_FALSE(plan_of(1e-4).possible);
@@ -117,6 +138,7 @@ TEST(SceneAccuracy, SaysWhereItEnds)
   EXPECT_FALSE(plan_of(0.99 * best).possible);
   EXPECT_TRUE(remarks(0.3, base()).empty());
   EXPECT_EQ(remarks(0.5 * MODEL_DOUBT, base()).size(), 1u);
+  EXPECT_EQ(remarks(0.5 * SMALLEST_MEASURED, base()).size(), 2u);
   Scene s = base();
   s.phi = 0.3;
   s.friction = 0.0;
