@@ -71,11 +71,11 @@ SHORTS = {"exponential": {}, "euler": {"modes": "gap euler"}, "exponential, St 0
 STEPS = ("0.01", "0.019", "0.0375", "0.075", "0.15", "0.2", "0.25", "0.3")
 
 
-def launch(folder, variables):
+def launch(folder, variables, deck=HERE / "in.suspension"):
     """Runs the deck in the folder; its output, CPU seconds, and what it says if it fails."""
     lmp = os.environ.get("LAMMPS_EXECUTABLE")
     command = [lmp] if lmp else [str(TOP / "tools" / "lmp.sh")]
-    command += ["-in", str(HERE / "in.suspension"), "-log", "none", "-nocite"]
+    command += ["-in", str(deck), "-log", "none", "-nocite"]
     places = {"scene": TOP / "examples" / "scene", "packing": TOP / "examples" / "packing" / "packing.lmp"}
     for name, value in {**places, **variables}.items():
         command += ["-var", name, str(value)]

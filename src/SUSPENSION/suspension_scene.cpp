@@ -36,6 +36,7 @@ using scene::UNKNOWN;
 using scene::Verdict;
 
 static constexpr double MANY = 12.0;    // neighbors of a crowded particle
+static constexpr double ROUNDING = 1e-9;
 
 /* ---------------------------------------------------------------------- */
 
@@ -219,6 +220,9 @@ void SuspensionScene::read_flow()
     const auto now = dynamic_cast<FixDeformRheometer *>(fix)->imposed();
     scene->pressure = now.pressure * stress;
     scene->rate = known(now.rate) ? now.rate : now.iv * scene->pressure / scene->viscosity;
+    // particles at rest that just touch: rounding, no pressure of the flow
+    if (scene->pressure < ROUNDING * scene->viscosity * fabs(scene->rate))
+      scene->pressure = UNKNOWN;
     return;
   }
   const double rate = SceneInstance::deform_rate(lmp);
