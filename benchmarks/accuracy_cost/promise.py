@@ -18,7 +18,7 @@ from suspension import rheology
 TABLE = suspension.HERE / "promise.csv"
 DECK = suspension.TOP / "tests" / "decks" / "scene_tolerance" / "in.scene_tolerance"
 FIELDS = ["tolerance", "seed", "particles", "strain", "promised_cpu", "cpu", "eta_r"]
-SEEDS = {"0.3": 8, "0.2": 8, "0.1": 6}
+SEEDS = {"0.3": 8, "0.2": 20, "0.1": 6}
 
 
 def launch(folder, **variables):

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,7 @@ struct Plan {
 inline double scatter(double phi)
 {
   const Scatter *s = SCATTER;
-  constexpr int last = sizeof(SCATTER) / sizeof(Scatter) - 1;
+  constexpr int last = std::size(SCATTER) - 1;
   if (phi <= s[0].phi) return s[0].value;
   for (int n = 1; n <= last; n++)
     if (phi <= s[n].phi) {
@@ -180,7 +181,8 @@ inline std::vector<std::string> remarks(double tolerance, const Scene &s)
   if (tolerance < SMALLEST_MEASURED)
     out.push_back("single errors below " + show(100.0 * SMALLEST_MEASURED) +
                   " % were not measured: they follow from the laws");
-  if (s.phi < SCATTER[0].phi || s.phi > SCATTER[sizeof(SCATTER) / sizeof(Scatter) - 1].phi)
+  constexpr double slack = 0.005;
+  if (s.phi < SCATTER[0].phi - slack || s.phi > std::rbegin(SCATTER)->phi + slack)
     out.push_back("phi " + show(s.phi) + " is outside what was measured");
   if (!(s.friction >= 0.3 && s.friction <= 0.7))
     out.push_back("measured with friction 0.5, not with " + show(s.friction));

@@ -35,8 +35,8 @@ using scene::show;
 using scene::UNKNOWN;
 using scene::Verdict;
 
-static constexpr double MANY = 12.0;    // neighbors of a crowded particle
-static constexpr double ROUNDING = 1e-9;
+static constexpr double MANY = 12.0;       // neighbors of a crowded particle
+static constexpr double AT_REST = 1e-3;    // of viscosity*rate: less is no flow
 
 /* ---------------------------------------------------------------------- */
 
@@ -220,9 +220,8 @@ void SuspensionScene::read_flow()
     const auto now = dynamic_cast<FixDeformRheometer *>(fix)->imposed();
     scene->pressure = now.pressure * stress;
     scene->rate = known(now.rate) ? now.rate : now.iv * scene->pressure / scene->viscosity;
-    // particles at rest that just touch: rounding, no pressure of the flow
-    if (scene->pressure < ROUNDING * scene->viscosity * fabs(scene->rate))
-      scene->pressure = UNKNOWN;
+    // particles at rest that just touch: this is not the pressure of the flow
+    if (scene->pressure < AT_REST * scene->viscosity * fabs(scene->rate)) scene->pressure = UNKNOWN;
     return;
   }
   const double rate = SceneInstance::deform_rate(lmp);

@@ -140,6 +140,10 @@ TEST(SceneAccuracy, SaysWhereItEnds)
   EXPECT_EQ(remarks(0.5 * MODEL_DOUBT, base()).size(), 1u);
   EXPECT_EQ(remarks(0.5 * SMALLEST_MEASURED, base()).size(), 2u);
   Scene s = base();
+  for (const Scatter &measured : SCATTER) {
+    s.phi = measured.phi * 1.0001;
+    EXPECT_TRUE(remarks(0.3, s).empty()) << s.phi;
+  }
   s.phi = 0.3;
   s.friction = 0.0;
   EXPECT_EQ(remarks(0.3, s).size(), 2u);

@@ -45,8 +45,8 @@ for before, after in zip(proposed(tight), proposed(other)):
     for a, b in zip(re.findall(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?", before), re.findall(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?", after)):
         deck.expect_close(f"from elsewhere: {after.strip()}", float(b), float(a), rtol=2e-3)
 
-# in this packing some particles touch, with a pressure of rounding errors, which is not that of the flow
-touching, = advise("0.2", seed=1)
+# in this packing some particles touch, with a pressure of 1e-7, which is not that of the flow
+touching, = advise("0.2", seed=5)
 deck.expect_close("a packing that just touches: N", number(touching, "few particles, N"), number(tight, "few particles, N"))
 
 costs = [number(text, "cost:") for text in (loose, tight, small)]
