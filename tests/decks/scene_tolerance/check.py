@@ -30,14 +30,18 @@ reference, doubt = suspension_laws.converged(rows)    # of the scene, from all r
 deck.expect("the reference is known five times better", doubt < 0.04, f"{reference:.2f} +- {100 * doubt:.1f} %")
 
 loose, tight, small, tiny, dry, smooth = advise("0.3", "0.2", "0.1", "1e-4", "0.2 viscosity 0", "0.1 friction 0.1")
-for text, tolerance, seed in ((loose, 0.3, 11), (tight, 0.2, 4711)):
+# a single run keeps the promise with 95 % only; the mean of two keeps it but for one in hundreds
+for text, tolerance in ((loose, 0.3), (tight, 0.2)):
     Path("proposed").write_text("\n".join(proposed(text)) + "\n", encoding="ascii")
     print("\n".join(proposed(text)))
-    deck.run("in.scene_tolerance", ranks=1, N=int(number(text, "few particles, N")), seed=seed, lines="proposed")
-    data = deck.read_stress()
-    eta = data["v_sxy"][data["v_gamma"] > SETTLED].mean()
-    deck.expect_close(f"tolerance {tolerance}: viscosity", eta, reference, rtol=tolerance)
-    deck.expect_close("  the strain that it says", data["v_gamma"][-1], SETTLED + number(text, "strain averaged"), atol=0.06)
+    etas = []
+    for seed in (11, 4711):
+        deck.run("in.scene_tolerance", ranks=1, N=int(number(text, "few particles, N")), seed=seed, lines="proposed")
+        data = deck.read_stress()
+        etas.append(data["v_sxy"][data["v_gamma"] > SETTLED].mean())
+        deck.expect_close("  the strain that it says", data["v_gamma"][-1], SETTLED + number(text, "strain averaged"), atol=0.06)
+    print(f"viscosities {etas}")
+    deck.expect_close(f"tolerance {tolerance}: viscosity", sum(etas) / 2, reference, rtol=tolerance)
 
 # density and stiffness are the plan's, whatever the deck has
 other, = advise("0.2", stiffness="4e6", stokes="0.2")
