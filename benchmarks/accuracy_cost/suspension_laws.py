@@ -275,7 +275,7 @@ def draw_held(ax, rows):
         for row in of(rows, "pressure", "pressure 45", value).values():
             error = row["phi_error"] if row["phi_error"] == row["phi_error"] else 0.002
             ax.errorbar(row["us"], row["phi"], yerr=error, fmt="o", ms=4, color=f"C{n}", lw=0.8)
-            place, side = {"base": ((4, -9), "left"), "time step 0.3": ((-5, -3), "right"), "St 0.05": ((0, 8), "right"),
+            place, side = {"base": ((4, -9), "left"), "time step 0.3": ((-5, -3), "right"), "St 0.05": ((0, -14), "right"),
                            "range cut 1": ((0, 6), "right")}.get(value, ((4, 4), "left"))
             ax.annotate(value, (row["us"], row["phi"]), fontsize=6.5, xytext=place, textcoords="offset points", color=f"C{n}", ha=side)
     ax.set(xscale="log", ylabel=r"$\phi$ at pressure 45 $\eta\dot\gamma$")
