@@ -6,7 +6,6 @@ Runs in.suspension for each case, one after the other, appends to suspension.csv
 import argparse
 import csv
 import math
-import math
 import os
 import re
 import resource

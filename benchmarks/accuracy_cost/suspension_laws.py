@@ -112,7 +112,7 @@ def size_law(rows):
 def laws(rows):
     """Cause -> (coefficient, error, smallest and largest x measured) of change = coefficient x, as in scene_accuracy.h."""
     found = {}
-    short = [row for row in rows if row["set"] == "short" and "euler" not in row["knob"] and row["step"] > 0.1]
+    short = [row for row in rows if row["set"] == "short" and "euler" not in row["knob"] and row["step"] > 0.11]
     x = np.array([SHORT / row["steps"] for row in short])
     slope = np.array([row["off"] for row in short]) / x
     found["time step"] = (slope.mean(), slope.std(ddof=1), x.min(), x.max())

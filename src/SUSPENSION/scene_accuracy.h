@@ -54,9 +54,9 @@ static constexpr double MODEL_DOUBT = 0.15;    // of the model against experimen
 
 static constexpr double SMALLEST_MEASURED = 0.03;    // change that the runs could tell from none
 
-// what may be chosen, within what was run. Steps above 0.66 of the limit save little: pairs that
+// what may be chosen, within what was run. Steps above 0.72 of the limit save little: pairs that
 // relax within a step take longer
-static constexpr double STEP_OF_LIMIT = 0.66;
+static constexpr double STEP_OF_LIMIT = 0.72;
 inline constexpr double SOFTNESSES[] = {0.045, 0.023, 0.015, 0.0045, 0.0015, 0.00046};
 inline constexpr double INERTIAS[] = {2.0, 1.0, 0.5, 0.05};
 inline constexpr double SIZES[] = {200, 500, 1000, 2000};
