@@ -1,4 +1,4 @@
-# ranks: 1 4
+# ranks: 1 2
 """A gas of pairs at volume fraction 1e-3 in a shear flow: six encounters, at corners and flips of the cell, each against
 SciPy's solution of the pair alone (decks/oracle/sheared_pair.py). Nobody is in range before and after: the stress is zero.
 """

@@ -1,4 +1,4 @@
-# ranks: 1 4
+# ranks: 1 2
 """Walls made of particles, at rest or moved by LAMMPS' own fixes: the film acts between them and the others as between all."""
 import numpy as np
 

@@ -18,7 +18,8 @@ FIELDS = ["phi", "rule", "reach", "seed", "eta_r", "error", "contact_n", "contac
           "szz", "cpu"]
 RANGES = ["cut 0.5", "cut 0.75", "shifted 1.5", "shifted 1", "cut 0.25", "cut 1", "voronoi 1.5", "voronoi 1", "shifted 0.5",
           "voronoi 3", "shifted 2"]
-FRACTIONS = ["0.4", "0.45", "0.5", "0.54", "0.55"]
+# stiffness over viscosity*rate*radius: at 0.55 a load 10 times as high must not crush the asperities
+FRACTIONS = {"0.4": "1e6", "0.45": "1e6", "0.5": "1e6", "0.54": "1e6", "0.55": "1e7"}
 TRANSIENT = 1.5    # strain left out
 
 
@@ -26,7 +27,7 @@ def measure(case, particles, strain):
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     data = rheology.simulate(EXAMPLES / "shear_rate" / "in.shear_rate",
                              {"phi": case["phi"], "range": f"{case['rule']} {case['reach']}", "seed": case["seed"],
-                              "N": particles, "strain": strain, "image": "no"})
+                              "stiffness": FRACTIONS[case["phi"]], "N": particles, "strain": strain, "image": "no"})
     cpu = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     kept = {name[2:]: column[data["v_gamma"] >= TRANSIENT] for name, column in data.items() if name.startswith("v_")}
     numbers = [*rheology.estimate(kept["sxy"]), *(kept[name].mean() for name in FIELDS[6:13]), cpu]
@@ -39,7 +40,7 @@ def main():
     parser.add_argument("--strain", default="6.5")
     parser.add_argument("--seeds", nargs="+", default=["4711", "11"])
     parser.add_argument("--ranges", nargs="+", default=RANGES)
-    parser.add_argument("--fractions", nargs="+", default=FRACTIONS)
+    parser.add_argument("--fractions", nargs="+", choices=FRACTIONS, default=list(FRACTIONS))
     args = parser.parse_args()
     wanted = [dict(zip(FIELDS, (phi, *which.split(), seed)))
               for which in args.ranges for seed in args.seeds for phi in args.fractions]
