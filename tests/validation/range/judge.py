@@ -84,7 +84,7 @@ def main():
         cells = []
         for phi in fractions:
             value, error = merged[case].get(phi, (np.nan, np.nan))
-            cells.append(f"{np.exp(value):.3g} +- {np.exp(value) * error:.2g}")
+            cells.append(f"{np.exp(value):.3g} +- {np.exp(value) * error:.2g}" if np.isfinite(value) else "")
         plain, weighted = misfit(merged[case])
         common = [phi for phi in cpu[case] if phi in cpu[("cut", 0.5)]]
         cost = np.mean([np.mean(cpu[case][phi]) / np.mean(cpu[("cut", 0.5)][phi]) for phi in common])
