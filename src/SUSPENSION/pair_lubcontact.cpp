@@ -40,13 +40,14 @@ static constexpr int SINGLE_EXTRA = 15;
 
 PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     Pair(lmp), power_of_step(false), power_step(-1), partition_step(-1), partition_atom_step(-1),
-    dt_limit(0.0), eta(0.0), eta_name(nullptr), eta_var(-1), hc(0.0), range_rule(0), radius_rule(0),
-    euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr), kt(nullptr), asperity(nullptr),
-    roughness(nullptr), friction(nullptr), law(nullptr), critical(nullptr), adhesion(nullptr),
-    repulsion(nullptr), screening(nullptr), coeffs(nullptr), reach(nullptr),
-    film(new lubcontact::Film()), longest(0.0), max_radius(nullptr), fix_history(nullptr),
-    reported(false), partition_now(false), partition_atom_now(false), power_now(false), mask(0),
-    size_history(0), history_layout(0), eval(nullptr), eval_single(nullptr), exchange(nullptr)
+    dt_limit(0.0), dt_limit_mass(0.0), eta(0.0), eta_name(nullptr), eta_var(-1), hc(0.0),
+    range_rule(0), radius_rule(0), euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr),
+    kt(nullptr), asperity(nullptr), roughness(nullptr), friction(nullptr), law(nullptr),
+    critical(nullptr), adhesion(nullptr), repulsion(nullptr), screening(nullptr), coeffs(nullptr),
+    reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
+    fix_history(nullptr), reported(false), partition_now(false), partition_atom_now(false),
+    power_now(false), mask(0), size_history(0), history_layout(0), eval(nullptr),
+    eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
   static_assert(NUM_ORIGINS == lubcontact::NUM_ORIGINS, "one row of power per origin");

@@ -106,7 +106,8 @@ class PairLubcontact : public Pair {
   double viscosity() const;                    // NaN for a variable not yet evaluated
   unsigned effects() const { return mask; }    // of the last run: those of the history
   class FixNeighHistory *history() const { return fix_history; }    // or null
-  double dt_limit;                                                  // at the last set-up, 0 before
+  double dt_limit;         // at the last set-up, 0 before or since the coefficients have changed;
+  double dt_limit_mass;    // mass of all particles then
 
  protected:
   // settings
@@ -206,6 +207,7 @@ class PairLubcontact : public Pair {
   void check_repulsion(double) const;
   void write_pair(FILE *, int, int) const;
   void check_box() const;
+  void check_motion() const;
   double sum_stiffness(double, double);
   double time_step_limit() const;
   double shear_rate() const;

@@ -111,6 +111,7 @@ void PairLubcontact::settings(int narg, char **arg)
 {
   if (narg < 2) utils::missing_cmd_args(FLERR, "pair_style lubcontact", error);
 
+  dt_limit = 0.0;
   delete[] eta_name;
   eta_name = nullptr;
   if (utils::strmatch(arg[0], "^v_")) {
@@ -196,6 +197,7 @@ void PairLubcontact::coeff(int narg, char **arg)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "pair_coeff", error);
   if (!allocated) allocate();
+  dt_limit = 0.0;
   if (!utils::is_double(arg[2])) return materials(narg, arg);
 
   int ilo, ihi, jlo, jhi;

@@ -180,12 +180,19 @@ void PairLubcontact::setup()
   double pairs;
   MPI_Allreduce(&mine, &pairs, 1, MPI_DOUBLE, MPI_SUM, world);
   const double limit = dt_limit = time_step_limit();
+  double mass = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->radius[i] > 0.0) mass += atom->rmass[i];
+  MPI_Allreduce(&mass, &dt_limit_mass, 1, MPI_DOUBLE, MPI_SUM, world);
   if (update->dt > limit && comm->me == 0)
     error->warning(FLERR,
                    "Time step {} exceeds {:.4g}, the stability limit of the contact springs in the "
                    "present state: reduce it, or soften the contact",
                    update->dt, limit);
-  if (!reported) report(pairs, limit);
+  if (!reported) {
+    check_motion();
+    report(pairs, limit);
+  }
   reported = true;
 }
 
@@ -206,6 +213,23 @@ void PairLubcontact::check_repulsion(double smallest) const
                        "range {} of pair style lubcontact, where it jumps: extend the range",
                        i, j, left, hc);
     }
+}
+
+/* ----------------------------------------------------------------------
+   what moves the particles in a way that the pair style cannot mean
+------------------------------------------------------------------------- */
+
+void PairLubcontact::check_motion() const
+{
+  if (comm->me) return;
+  if (domain->deform_flag && !domain->deform_vremap && domain->h_rate[5] != 0.0)
+    error->warning(FLERR,
+                   "The cell is sheared, but particles that cross its boundary keep their "
+                   "velocity: add to fix deform: remap v");
+  const bool turns = mode[SHEAR] || mode[ROLL] || mode[TWIST] || (mask & lubcontact::FRICTION);
+  for (const auto &fix : modify->get_fix_by_style("^nve$"))
+    if (turns)
+      error->warning(FLERR, "Fix {} nve does not turn particles: use fix nve/sphere", fix->id);
 }
 
 /* ----------------------------------------------------------------------
@@ -255,8 +279,10 @@ void PairLubcontact::report(double pairs, double limit)
                           coeff_words(i, j, {}));
     }
   if (shown < atom->ntypes) text += "  further types: see write_data pair ij\n";
-  text += fmt::format("  time step      {:.6g}, {:.3g} of the stability limit {:.6g}\n", update->dt,
-                      update->dt / limit, limit);
+  text += fmt::format("  time step      {:.6g}, ", update->dt);
+  text += std::isfinite(limit)
+      ? fmt::format("{:.3g} of the stability limit {:.6g}\n", update->dt / limit, limit)
+      : "without limit here: no pair in range of particles with inertia\n";
 
   const double rate = shear_rate();
   if (rate != 0.0) {

@@ -29,6 +29,7 @@ class SceneInstance {
     PairLubcontact *pair = nullptr;
     Fix *flow = nullptr;    // deform/rheometer, or deform of the tilt xy
     double rate = 0.0;      // of deform
+    bool holds_rate = true, holds_pressure = false;
     struct Part {
       Fix *fix;
       std::string settings;

@@ -19,27 +19,31 @@ using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
 
-SceneSampler::SceneSampler(const SceneInstance &copy, int every) : interval(every)
+SceneSampler::SceneSampler(const SceneInstance &copy, const Fix *flow, int every) : interval(every)
 {
   Modify *modify = copy.lmp->modify;
   std::string values;
   int size = 0;
-  auto watch = [&](const char *name, int row, int column, std::vector<int> &where) {
-    const std::string value = fmt::format("scene_{}_{}_{}", name, row, column);
-    copy.one(fmt::format("variable {} equal c_scene_{}[{}][{}]", value, name, row, column));
-    values += " v_" + value;
+  auto watch = [&](const std::string &what, std::vector<int> &where) {
+    copy.one(fmt::format("variable scene_{} equal {}", size, what));
+    values += fmt::format(" v_scene_{}", size);
     where.push_back(size++);
   };
   copy.one("compute scene_stress all stress/partition");
   const int rows = modify->get_compute_by_id("scene_stress")->size_array_rows;
   for (int row = 1; row <= rows; row++) {
-    watch("stress", row, 4, sxy);
-    watch("stress", row, 2, syy);
+    watch(fmt::format("c_scene_stress[{}][4]", row), sxy);
+    watch(fmt::format("c_scene_stress[{}][2]", row), syy);
   }
   if (modify->compute_map->count("power/partition")) {
     copy.one("compute scene_power all power/partition");
     const int channels = modify->get_compute_by_id("scene_power")->size_array_rows;
-    for (int row = 1; row <= channels; row++) watch("power", row, 1, power);
+    for (int row = 1; row <= channels; row++)
+      watch(fmt::format("c_scene_power[{}][1]", row), power);
+  }
+  if (utils::strmatch(flow->style, "^deform/rheometer")) {
+    watch(fmt::format("f_{}[2]", flow->id), rate);
+    watch(fmt::format("f_{}[3]", flow->id), phi);
   }
   copy.one(fmt::format("fix scene_samples all vector {}{}", every, values));
   samples = modify->get_fix_by_id("scene_samples");

@@ -21,12 +21,13 @@ class SceneInstance;
 // collects the parts of stress and power in a copy
 class SceneSampler {
  public:
-  SceneSampler(const SceneInstance &, int every);
+  SceneSampler(const SceneInstance &, const Fix *flow, int every);
 
   // of these columns, over the steps after from and up to the end
   std::vector<double> mean(bigint from, bigint end, const std::vector<int> &columns) const;
 
-  std::vector<int> sxy, syy, power;    // columns
+  // columns; rate and phi of fix deform/rheometer, else empty
+  std::vector<int> sxy, syy, power, rate, phi;
 
  private:
   Fix *samples;

@@ -41,8 +41,8 @@ static constexpr double AT_REST = 1e-3;    // of viscosity*rate: less is no flow
 /* ---------------------------------------------------------------------- */
 
 SuspensionScene::SuspensionScene(LAMMPS *lmp) :
-    Command(lmp), scene(new scene::Scene()), pair(nullptr), walls(false), screening(UNKNOWN),
-    tolerance(UNKNOWN)
+    Command(lmp), scene(new scene::Scene()), pair(nullptr), walls(false), limit_known(false),
+    measured(false), total_mass(0.0), screening(UNKNOWN), tolerance(UNKNOWN)
 {
 }
 
@@ -116,7 +116,16 @@ void SuspensionScene::parse(int narg, char **arg)
     }
     if (iarg + 1 >= narg)
       utils::missing_cmd_args(FLERR, fmt::format("suspension_scene {}", arg[iarg]), error);
-    *found->value = number(iarg + 1, found->name, found->zero) * found->unit;
+    const double value = number(iarg + 1, found->name, found->zero) * found->unit;
+    const auto place = found - keywords;
+    if (pair && (place == 0 || (place >= 3 && place <= 5)) && value != *found->value)
+      overridden += fmt::format(" {} {}", found->name, arg[iarg + 1]);
+    if (found->value == &scene->pressure) measured = false;
+    if (found->value == &tolerance && value >= 1.0)
+      error->all(FLERR, iarg + 1,
+                 "Suspension_scene tolerance is a relative error and must be < 1, but is {}",
+                 arg[iarg + 1]);
+    *found->value = value;
     const bool length = strcmp(found->name, "repulsion") == 0 && iarg + 2 < narg;
     if (length && utils::is_double(arg[iarg + 2])) {
       screening = number(iarg + 2, "length of the repulsion", false);
@@ -154,6 +163,7 @@ void SuspensionScene::read_particles()
   const double square = sum[2] / sum[0] - scene->radius * scene->radius;
   scene->spread = sqrt(MAX(square, 0.0)) / scene->radius;
   scene->density = sum[5] / sum[3] * force->mvv2e;
+  total_mass = sum[5];
   scene->phi = sum[4] / (domain->xprd * domain->yprd * (discs ? 1.0 : domain->zprd));
   scene->dt = update->dt;
 }
@@ -203,8 +213,12 @@ void SuspensionScene::read_pair()
       if (forces.pull_off > 0.0) scene->adhesion = -less(-scene->adhesion, -forces.pull_off);
       if (forces.repulsion > 0.0) scene->repulsion = -less(-scene->repulsion, -forces.repulsion);
     }
-  scene->dt_limit = pair->dt_limit;
-  if (scene->dt_limit == 0.0 && stiffest > 0.0) {    // no run yet
+  limit_known = pair->dt_limit > 0.0 && std::isfinite(pair->dt_limit);
+  if (limit_known) {    // masses may have changed since
+    scene->dt_limit = pair->dt_limit * sqrt(total_mass / pair->dt_limit_mass);
+  } else if (overdamped()) {
+    scene->dt_limit = UNKNOWN;
+  } else if (stiffest > 0.0) {
     const double r = scene->radius_min;
     const double mass = 4.0 / 3.0 * MY_PI * r * r * r * scene->density;
     scene->dt_limit = 2.0 / sqrt(2.0 * MANY * stiffest / mass);
@@ -217,8 +231,10 @@ void SuspensionScene::read_flow()
 {
   const double stress = 1.0 / force->nktv2p;
   for (const auto &fix : modify->get_fix_by_style("^deform/rheometer$")) {
-    const auto now = dynamic_cast<FixDeformRheometer *>(fix)->imposed();
+    const auto *rheometer = dynamic_cast<FixDeformRheometer *>(fix);
+    const auto now = rheometer->imposed();
     scene->pressure = now.pressure * stress;
+    measured = rheometer->settings_text().find(" pressure ") == std::string::npos;
     scene->rate = known(now.rate) ? now.rate : now.iv * scene->pressure / scene->viscosity;
     // particles at rest that just touch: this is not the pressure of the flow
     if (scene->pressure < AT_REST * scene->viscosity * fabs(scene->rate)) scene->pressure = UNKNOWN;
@@ -259,8 +275,40 @@ void SuspensionScene::report() const
                         scene::ANSWER_NAME[v.answer], v.why);
   for (const std::string &warning : scene::warnings(*scene, n))
     text += "  warning: " + warning + "\n";
+  text += transient_warning();
   text += known(tolerance) ? tolerance_lines() : deck_lines(n, verdicts);
+  if (pair && utils::strmatch(force->pair_style, "^hybrid"))
+    text += "  # under pair_style hybrid: keep its other styles, and write lubcontact after the "
+            "types of "
+            "pair_coeff\n";
+  if (pair && !overridden.empty())
+    text += "  # for the scene with" + overridden + ", which the lines do not set\n";
   utils::logmesg(lmp, text);
+}
+
+/* ----------------------------------------------------------------------
+   a measured pressure that is far from that of the steady flow is one of the start
+------------------------------------------------------------------------- */
+
+std::string SuspensionScene::transient_warning() const
+{
+  static constexpr double FAR = 3.0;
+  if (!measured) return "";
+  scene::Scene steady = *scene;
+  steady.pressure = UNKNOWN;
+  const double ratio = scene->pressure / scene::numbers(steady).pressure;
+  if (!known(ratio) || (ratio < FAR && ratio > 1.0 / FAR)) return "";
+  return fmt::format(
+      "  warning: the measured pressure is {} times that of steady flow at this phi: run until it "
+      "is steady, or give it: pressure P\n",
+      show(ratio));
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool SuspensionScene::overdamped() const
+{
+  return !modify->get_fix_by_style("^overdamped").empty();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -284,7 +332,9 @@ std::string SuspensionScene::describe(const Numbers &n) const
                       n.estimated ? " (estimated from phi)" : "");
   text += fmt::format("  time step       {}, {} of the stability limit {}{}\n", show(s.dt),
                       show(n.step), show(s.dt_limit),
-                      pair && pair->dt_limit == 0.0 ? " (estimated for 12 neighbors)" : "");
+                      !pair || limit_known ? ""
+                          : overdamped()   ? " (fix overdamped/sphere has its own)"
+                                           : " (estimated for 12 neighbors)");
   text += "Dimensionless numbers\n";
   const std::pair<const char *, double> table[] = {
       {"St = rho a^2 rate/eta", n.St},   {"Iv = eta rate/P", n.Iv},
@@ -308,7 +358,14 @@ std::string SuspensionScene::drag_line() const
   if (!plates.empty())
     return fmt::format("  fix drag {} drag/background pair plates {}\n",
                        group->names[plates.front()->igroup], plates.front()->id);
-  return "  fix drag all drag/background pair cell\n";
+  std::string viscosity = "pair";
+  if (pair) {    // a variable must be named
+    const std::string settings = pair->settings_text({});
+    const auto v = settings.find(" v_");
+    if (v != std::string::npos)
+      viscosity = settings.substr(v + 1, settings.find(' ', v + 1) - v - 1);
+  }
+  return fmt::format("  fix drag all drag/background {} cell\n", viscosity);
 }
 
 /* ----------------------------------------------------------------------
@@ -381,7 +438,7 @@ std::string SuspensionScene::deck_lines(const Numbers &n,
     text += fmt::format("  timestep {}\n", show(0.4 * s.dt_limit));
   if (answer(scene::INERTIA) == scene::NOT_NEEDED && known(n.St)) {
     const double room = 0.25 * scene::THRESHOLD[scene::INERTIAL].value / n.St;
-    if (room > 1.5)
+    if (room > 1.5 && !overdamped())
       text += fmt::format("  # inertia does not show: density {} allows a step {} times larger\n",
                           show(room * s.density / force->mvv2e), show(sqrt(room)));
   }

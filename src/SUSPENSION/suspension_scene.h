@@ -44,8 +44,12 @@ class SuspensionScene : public Command {
   std::unique_ptr<scene::Scene> scene;
   PairLubcontact *pair;    // or null
   bool walls;
-  double screening;    // length of the repulsion, if the script gives it
-  double tolerance;    // of the viscosity, or NaN
+  bool limit_known;          // of the time step, from the last run
+  bool measured;             // is the pressure of the scene
+  double total_mass;         // of the particles
+  std::string overridden;    // words given that are other than in the pair style
+  double screening;          // length of the repulsion, if the script gives it
+  double tolerance;          // of the viscosity, or NaN
   void parse(int, char **);
   void read_particles();
   void read_box();
@@ -55,6 +59,8 @@ class SuspensionScene : public Command {
   void report() const;
   std::string describe(const scene::Numbers &) const;
   std::string drag_line() const;
+  std::string transient_warning() const;
+  bool overdamped() const;
   std::string law_words(const std::vector<scene::Verdict> &) const;
   std::string deck_lines(const scene::Numbers &, const std::vector<scene::Verdict> &) const;
 
@@ -72,7 +78,7 @@ class SuspensionScene : public Command {
   Measured run_copy(const SceneInstance::Plan &, int, const SceneInstance::Effects &) const;
   std::string deck_lines_of(const PairLubcontact *, const SceneInstance::Plan &, bool) const;
   std::string leave_out_in_turn(const SceneInstance::Plan &, const Options &) const;
-  std::string head_of(const Measured &, int, bool) const;
+  std::string head_of(const SceneInstance::Plan &, const Measured &, int, bool) const;
 };
 
 }    // namespace LAMMPS_NS

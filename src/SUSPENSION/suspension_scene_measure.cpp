@@ -65,6 +65,7 @@ static constexpr Row ROWS[] = {
 // means over the blocks that count
 struct SuspensionScene::Measured {
   double stress[COUNTED] = {}, pressure[COUNTED] = {};
+  double viscosity[COUNTED] = {}, phi[COUNTED] = {};    // stress over rate
   std::vector<double> parts, power;    // rows of the partitions; no power without its compute
   double seconds = 0.0;                // of CPU a step
   double strain = 0.0;
@@ -156,7 +157,7 @@ SuspensionScene::Measured SuspensionScene::run_copy(const SceneInstance::Plan &p
   const SceneInstance copy(lmp, plan, effects);
   const int block = nsteps / BLOCKS, every = MIN(block, 10);
   const bigint start = copy.lmp->update->ntimestep;
-  SceneSampler sampler(copy, every);
+  SceneSampler sampler(copy, plan.flow, every);
   copy.one("thermo_style custom step");
   copy.one(fmt::format("run {} post no", nsteps));
 
@@ -182,6 +183,10 @@ SuspensionScene::Measured SuspensionScene::run_copy(const SceneInstance::Plan &p
     const auto power = sampler.mean(from, from + block, sampler.power);
     for (const double part : sxy) result.stress[b] += part;
     for (const double part : syy) result.pressure[b] -= part;
+    const auto rate = sampler.mean(from, from + block, sampler.rate);
+    const auto phi = sampler.mean(from, from + block, sampler.phi);
+    result.viscosity[b] = result.stress[b] / (rate.empty() ? plan.rate : rate[0]);
+    result.phi[b] = phi.empty() ? UNKNOWN : phi[0];
     add(sxy, result.parts);
     add(power, result.power);
   }
@@ -230,6 +235,9 @@ SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) co
 {
   if (narg < 2) utils::missing_cmd_args(FLERR, "suspension_scene measure", error);
   Options options;
+  if (!utils::is_integer(arg[1]))
+    error->all(FLERR, 1, "Suspension_scene measure needs a number of steps before keywords, not {}",
+               arg[1]);
   options.nsteps = utils::inumeric(FLERR, arg[1], false, lmp);
   if (options.nsteps < BLOCKS || options.nsteps % BLOCKS)
     error->all(FLERR, 1,
@@ -305,12 +313,22 @@ std::string SuspensionScene::leave_out_in_turn(const SceneInstance::Plan &plan,
   const int nsteps = options.nsteps;
   const Measured all = run_copy(plan, nsteps, options.all);
   const bool as_deck = all.deck == deck_lines_of(plan.pair, plan, true);
-  std::string text = head_of(all, nsteps, as_deck);
+  std::string text = head_of(plan, all, nsteps, as_deck);
 
+  struct Changes {
+    Mean by[2];
+  };
+  auto changes = [&plan, &all](const Measured &one) {    // of what the flow does not hold
+    const Mean resistance = plan.holds_rate ? change(one.stress, all.stress)
+                                            : change(one.viscosity, all.viscosity);
+    return Changes{resistance,
+                   plan.holds_pressure ? change(one.phi, all.phi)
+                                       : change(one.pressure, all.pressure)};
+  };
   auto row = [&](const char *name, const Measured &one, const std::string &stress,
                  const std::string &power) {
-    text += fmt::format(COLUMNS, name, stress, power, percent(change(one.stress, all.stress)),
-                        percent(change(one.pressure, all.pressure)),
+    const Changes c = changes(one);
+    text += fmt::format(COLUMNS, name, stress, power, percent(c.by[0]), percent(c.by[1]),
                         percent(1.0 - one.seconds / all.seconds));
   };
   if (!as_deck) {
@@ -337,11 +355,11 @@ std::string SuspensionScene::leave_out_in_turn(const SceneInstance::Plan &plan,
     without.without = {name};
     const Measured one = run_copy(plan, nsteps, without);
     row(effect.effect, one, of_stress, of_power);
-    const Mean by[2] = {change(one.stress, all.stress), change(one.pressure, all.pressure)};
-    if (below(by, 1.0, options.limit)) {
+    const Changes c = changes(one);
+    if (below(c.by, 1.0, options.limit)) {
       less.without.push_back(name);
       lines = one.deck;
-    } else if (below(by, -1.0, options.limit))
+    } else if (below(c.by, -1.0, options.limit))
       undecided += " " + name;
   }
   if (less.without.size() > 1) {
@@ -364,14 +382,17 @@ std::string SuspensionScene::leave_out_in_turn(const SceneInstance::Plan &plan,
    what is compared with, and the head of the table
 ------------------------------------------------------------------------- */
 
-std::string SuspensionScene::head_of(const Measured &all, int nsteps, bool as_deck) const
+std::string SuspensionScene::head_of(const SceneInstance::Plan &plan, const Measured &all,
+                                     int nsteps, bool as_deck) const
 {
   const Mean stress = mean(all.stress), pressure = mean(all.pressure);
+  const Mean viscosity = mean(all.viscosity), phi = mean(all.phi);
   std::string text =
       fmt::format("Suspension scene: {} steps of a copy, strain {:.4g}, means of the second half\n",
                   nsteps, all.strain);
   if (!all.history_kept)
-    text += "  the pairs had no history yet: films and springs have built up in the first half\n";
+    text += "  the pairs had no history yet: films and springs have built up in the first half "
+            "(after read_restart: add run 0 before)\n";
   else if (!as_deck)
     text += "  what the deck lacks began as in pairs that have just met\n";
   text +=
@@ -379,7 +400,13 @@ std::string SuspensionScene::head_of(const Measured &all, int nsteps, bool as_de
                   "{:.4g} microseconds of CPU a step\n",
                   as_deck ? ", as the deck is" : "", stress.value, stress.error, pressure.value,
                   pressure.error, 1e6 * all.seconds);
+  if (!plan.holds_rate)
+    text += fmt::format("  the rate is not held: stress over rate {:.6g} +- {:.2g}\n",
+                        viscosity.value, viscosity.error);
+  if (plan.holds_pressure)
+    text += fmt::format("  the volume is not held: phi {:.6g} +- {:.2g}\n", phi.value, phi.error);
   return text +
-      fmt::format(COLUMNS, "left out", "of stress", "of power", "change of stress", "of pressure",
-                  "time saved");
+      fmt::format(COLUMNS, "left out", "of stress", "of power",
+                  plan.holds_rate ? "change of stress" : "of stress/rate",
+                  plan.holds_pressure ? "of phi" : "of pressure", "time saved");
 }

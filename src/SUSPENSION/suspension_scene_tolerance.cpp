@@ -38,11 +38,13 @@ static std::string missing(const scene::Scene &s, const Numbers &n, const Pair *
 {
   if (s.dimension != 3.0) return "measured for spheres only";
   if (!(s.viscosity > 0.0)) return "measured in a fluid only: give its viscosity eta";
-  if (!(s.rate != 0.0)) return "give the shear rate: rate g";
+  if (!known(s.rate) || s.rate == 0.0) return "give the shear rate: rate g";
   if (!known(n.pressure)) return "give the pressure: pressure P";
   if (!(s.roughness > 0.0)) return "measured for rough particles only: give roughness eps";
   if (!pair || !known(s.dt_limit))
-    return "the limit of the time step is unknown: define the pair style";
+    return "the limit of the time step is unknown: define the pair style, and let particles have "
+           "inertia "
+           "(no fix overdamped/sphere)";
   return "";
 }
 

@@ -19,12 +19,13 @@ def run(out, first=False, **variables):
     deck.run(DECK, measure="never" if first else "no", out=out, **variables)
     rows = np.loadtxt(f"samples.{out}")
     start = 0 if first else 175
-    return rows[(rows[:, 0] > start + 50) & (rows[:, 0] <= start + 100)][:, 1:] * [1, -1, 1, 1, 1, 1, 1, 1]
+    return rows[(rows[:, 0] > start + 50) & (rows[:, 0] <= start + 100)][:, 1:] * [1, -1, 1, 1, 1, 1, 1, 1, 1]
 
 
 def change(one, other):
-    """Of stress and pressure in percent, with the error of the mean of the differences of the blocks."""
-    d = (one - other)[:, :2] / abs(other[:, :2].mean(axis=0)) * 100
+    """Of stress and pressure, or phi if the volume changes, in percent, with the error of the mean of the differences of the blocks."""
+    columns = [0, 8 if np.ptp(other[:, 8]) > 0 else 1]
+    d = (one - other)[:, columns] / abs(other[:, columns].mean(axis=0)) * 100
     return list(zip(d.mean(axis=0), d.std(axis=0, ddof=1) / np.sqrt(len(d))))
 
 

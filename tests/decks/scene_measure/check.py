@@ -34,8 +34,8 @@ def numbers(text, effect):
 
 cases = [("pressed", {"flow": PRESSED}), ("fix deform, newton off", {"flow": LAMMPS, "newton": "off"})]
 if deck.RANKS == 1:
-    cases.append(("oscillating discs, viscosity by variable",
-                  {"flow": "deform/rheometer oscillate 0 1 3 volume viscosity v_eta", "viscosity": "v_eta", "dim": 2}))
+    cases.append(("discs, viscosity by variable",
+                  {"flow": "deform/rheometer rate 1 volume viscosity v_eta", "viscosity": "v_eta", "dim": 2}))
 for name, case in cases:
     deck.make_state(dim=case.get("dim", 3), phi=0.75 if "dim" in case else 0.5)
     yes = deck.run("in.scene_measure", measure="yes", out="yes", **case)
@@ -64,10 +64,20 @@ for name, case in cases:
         continue
     deck.run("in.scene_measure", measure="no", out="less", change="pair_coeff * * 1e4 5e3 roughness 0.01", **case)
     less = blocks("less")
-    for what, column, found in zip(("stress", "pressure"), (0, 1), numbers(text, "friction")[1]):
-        sign = 1 - 2 * column
-        expected = change(sign * less[:, column], sign * plain[:, column])
+    for what, column, found in zip(("stress", "phi"), (0, 8), numbers(text, "friction")[1]):
+        expected = change(less[:, column], plain[:, column])
         deck.expect_close(f"change of {what} without friction, and its error", found, expected, atol=0.051)
+
+# a stress that is held does not change: what a film does shows in the rate
+if deck.RANKS == 1:
+    deck.make_state()
+    text = deck.run("in.scene_measure", measure="yes", flow="deform/rheometer stress 60 pressure 30", out="yes").text
+    deck.expect("the rate is not held", "stress over rate" in text and "of stress/rate" in text)
+    deck.expect("  nor the volume", "of phi" in text)
+    text = text[text.index("steps of a copy"):]
+    found = numbers(text, "squeeze")[1][0]
+    deck.expect("  squeeze film: matters", found[0] + 2 * found[1] < 0, found)
+    deck.expect("  and stays", "squeeze no" not in text)
 
 # before the first run no pair has a history: each effect can be left out by its keyword
 if deck.RANKS == 1:
@@ -79,7 +89,7 @@ if deck.RANKS == 1:
         keywords = "" if effect == "none" else f"{effect} no"
         deck.run("in.scene_measure", measure="never", out="first", keywords=keywords)
         rows = np.loadtxt("samples.first")
-        runs[effect] = rows[(rows[:, 0] > 50) & (rows[:, 0] <= 100)][:, 1:3] * [1, -1]
+        runs[effect] = rows[(rows[:, 0] > 50) & (rows[:, 0] <= 100)][:, [1, 9]]    # stress, 1/volume
         if effect != "none":
             expected = [change(runs[effect][:, c], runs["none"][:, c]) for c in (0, 1)]
             deck.expect_close(f"changes without {effect}, and their errors", numbers(text, effect)[1], expected, atol=0.051)

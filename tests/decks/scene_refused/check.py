@@ -27,6 +27,11 @@ CASES = [    # lines, message, underlined word or None
     (SHEAR + SLIPPERY + "suspension_scene measure 10 critical 2", "critical cannot act without friction: give friction mu, too", "critical"),
     (SHEAR + SMOOTH + "suspension_scene measure 10 adhesion 2", "types 1 1 have none: give them a roughness > 0", "adhesion"),
     (SHEAR + "suspension_scene measure 10 adhesion 1e4", "Suspension_scene measure, in its copy: ", None),    # breaks out of range
+    ("suspension_scene measure friction 0.5", "needs a number of steps before keywords, not friction", "friction"),
+    ("suspension_scene tolerance 1", "is a relative error and must be < 1, but is 1", "1"),
+    ("fix shear all deform/rheometer oscillate 0 1 3 volume\nsuspension_scene measure 10", "compares the viscosity of steady shear, but fix "
+     "shear has: flow shear every 8 oscillate", None),
+    ("fix shear all deform/rheometer flow planar rate 1 volume\nsuspension_scene measure 10", "has: flow planar", None),
     ("suspension_scene measure 10 change", "missing argument", None),
     ("suspension_scene measure 10 change 0", "change must be > 0, but is 0", "0"),
     ("suspension_scene measure 10", "needs a flow: fix deform/rheometer, or fix deform of xy with remap v", None),

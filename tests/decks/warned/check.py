@@ -1,0 +1,43 @@
+"""Scenes that run, but not as meant, get a warning; advice does not rest on numbers that have changed since."""
+import re
+
+import deck
+
+deck.make_state()
+
+
+def log(**variables):
+    return deck.run("in.warned", **{"words": "rate 1", **variables}).text
+
+
+def limit(text):
+    """Time step over its limit, the limit, and what it is, as the adviser has it."""
+    found = re.search(r"^  time step +\S+, (\S+) of the stability limit (\S+)(.*)$", text[text.index("Suspension scene:"):], re.MULTILINE)
+    return float(found.group(1)), float(found.group(2)), found.group(3)
+
+
+REMAP, TURN = "particles that cross its boundary keep their velocity: add to fix deform: remap v", "does not turn particles: use fix nve/sphere"
+text = log(more="fix shear all deform 1 xy erate 1")
+deck.expect("fix deform without remap v", REMAP in text)
+text = log(more="fix shear all deform 1 xy erate 1 remap v")
+deck.expect("with remap v", "WARNING" not in text)
+text = log(more='if "1 == 1" then "unfix move" "fix move all nve"')
+deck.expect("fix nve", TURN in text)
+
+plain = limit(text)[1]
+heavier = limit(log(more='if "1 == 1" then "unfix move" "fix move all nve"', then="set group all density 0.2"))
+deck.expect_close("four times the mass since the run: twice the limit", heavier[1], 2 * plain, rtol=0.01)
+stiffer = limit(log(then="pair_coeff * * 1e6 5e5 roughness 0.01"))
+deck.expect("other coefficients: an estimate", "estimated for 12 neighbors" in stiffer[2] and stiffer[1] < 0.2 * plain, stiffer)
+massless = log(more='if "1 == 1" then "unfix move" "fix move all overdamped/sphere pair velocity 0 0 0" "timestep 1e-5"')
+deck.expect("nothing has inertia", "without limit here: no pair in range of particles with inertia" in massless)
+deck.expect("  the adviser, too", "fix overdamped/sphere has its own" in massless)
+deck.expect("  and proposes no density", "inertia does not show: density" not in massless)
+
+text = log(words="rate 1 viscosity 3 roughness 0.02 tolerance 0.2")
+deck.expect("words that the lines do not set", "# for the scene with viscosity 3 roughness 0.02, which the lines do not set" in text)
+text = log(words="pressure 10 tolerance 0.2")
+deck.expect("no rate, no settings", "cannot tell: give the shear rate: rate g" in text and "nan" not in text[text.index("Settings"):])
+text = log(more="fix shear all deform/rheometer rate 1 volume", words="tolerance 0.2")
+deck.expect("pressure of the start", "times that of steady flow at this phi" in text)
+deck.finish()
