@@ -13,30 +13,22 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_deform_rheometer.h"
+#include "fix.h"
 #include "force.h"
 #include "group.h"
-#include "math_const.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
-#include "rheometer_target.h"
-#include "scene_instance.h"
 #include "scene_verdict.h"
-#include "update.h"
 
 #include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using MathConst::MY_PI;
 using scene::known;
 using scene::Numbers;
 using scene::show;
 using scene::UNKNOWN;
 using scene::Verdict;
-
-static constexpr double MANY = 12.0;       // neighbors of a crowded particle
-static constexpr double AT_REST = 1e-3;    // of viscosity*rate: less is no flow
 
 /* ---------------------------------------------------------------------- */
 
@@ -131,135 +123,6 @@ void SuspensionScene::parse(int narg, char **arg)
       screening = number(iarg + 2, "length of the repulsion", false);
       iarg++;
     }
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
-void SuspensionScene::read_particles()
-{
-  const bool discs = domain->dimension == 2;
-  double mine[6] = {}, sum[6];    // number, radii, their squares, volume, area or volume, mass
-  double mine_max[2] = {-HUGE_VAL, -HUGE_VAL}, max[2];
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double r = atom->radius[i];
-    if (r == 0.0) continue;
-    const double volume = 4.0 / 3.0 * MY_PI * r * r * r;
-    const double values[6] = {1.0,           r, r * r, volume, discs ? MY_PI * r * r : volume,
-                              atom->rmass[i]};
-    for (int n = 0; n < 6; n++) mine[n] += values[n];
-    mine_max[0] = MAX(mine_max[0], r);
-    mine_max[1] = MAX(mine_max[1], -r);
-  }
-  MPI_Allreduce(mine, sum, 6, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(mine_max, max, 2, MPI_DOUBLE, MPI_MAX, world);
-  if (sum[0] == 0.0) error->all(FLERR, "Suspension_scene: no particle has a radius");
-
-  scene->particles = sum[0];
-  scene->dimension = domain->dimension;
-  scene->radius = sum[1] / sum[0];
-  scene->radius_max = max[0];
-  scene->radius_min = -max[1];
-  const double square = sum[2] / sum[0] - scene->radius * scene->radius;
-  scene->spread = sqrt(MAX(square, 0.0)) / scene->radius;
-  scene->density = sum[5] / sum[3] * force->mvv2e;
-  total_mass = sum[5];
-  scene->phi = sum[4] / (domain->xprd * domain->yprd * (discs ? 1.0 : domain->zprd));
-  scene->dt = update->dt;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void SuspensionScene::read_box()
-{
-  const double *hi = domain->h_inv;
-  const double height[3] = {1.0 / sqrt(hi[0] * hi[0] + hi[5] * hi[5] + hi[4] * hi[4]),
-                            1.0 / sqrt(hi[1] * hi[1] + hi[3] * hi[3]), 1.0 / hi[2]};
-  for (int d = 0; d < domain->dimension; d++) {
-    if (domain->periodicity[d])
-      scene->box = known(scene->box) ? MIN(scene->box, height[d]) : height[d];
-    else
-      walls = true;
-  }
-}
-
-/* ----------------------------------------------------------------------
-   of several types the softest, the smoothest and the roughest
-------------------------------------------------------------------------- */
-
-void SuspensionScene::read_pair()
-{
-  pair = dynamic_cast<PairLubcontact *>(find_lubcontact(lmp));
-  if (!pair) return;
-  scene->viscosity = pair->viscosity();
-  int dim;
-  const auto *const *g = static_cast<double **>(pair->extract("g", dim));
-  const auto *const *kt = static_cast<double **>(pair->extract("kt", dim));
-  const auto *const *roughness = static_cast<double **>(pair->extract("roughness", dim));
-  const auto *const *friction = static_cast<double **>(pair->extract("friction", dim));
-  double stiffest = 0.0;
-  auto less = [](double a, double b) {
-    return !known(a) || b < a ? b : a;
-  };
-  for (int i = 1; g && i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      if (!pair->setflag[i][j]) continue;
-      scene->g = less(scene->g, g[i][j]);
-      scene->roughness = less(scene->roughness, roughness[i][j]);
-      scene->friction = -less(-scene->friction, -friction[i][j]);
-      stiffest = MAX(stiffest, MAX(g[i][j], 3.5 * kt[i][j]));
-      const auto forces = pair->surface_forces(i, j, scene->radius);
-      if (forces.critical > 0.0) scene->critical = less(scene->critical, forces.critical);
-      if (forces.pull_off > 0.0) scene->adhesion = -less(-scene->adhesion, -forces.pull_off);
-      if (forces.repulsion > 0.0) scene->repulsion = -less(-scene->repulsion, -forces.repulsion);
-    }
-  limit_known = pair->dt_limit > 0.0 && std::isfinite(pair->dt_limit);
-  if (limit_known) {    // masses may have changed since
-    scene->dt_limit = pair->dt_limit * sqrt(total_mass / pair->dt_limit_mass);
-  } else if (overdamped()) {
-    scene->dt_limit = UNKNOWN;
-  } else if (stiffest > 0.0) {
-    const double r = scene->radius_min;
-    const double mass = 4.0 / 3.0 * MY_PI * r * r * r * scene->density;
-    scene->dt_limit = 2.0 / sqrt(2.0 * MANY * stiffest / mass);
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
-void SuspensionScene::read_flow()
-{
-  const double stress = 1.0 / force->nktv2p;
-  for (const auto &fix : modify->get_fix_by_style("^deform/rheometer$")) {
-    const auto *rheometer = dynamic_cast<FixDeformRheometer *>(fix);
-    const auto now = rheometer->imposed();
-    scene->pressure = now.pressure * stress;
-    measured = rheometer->settings_text().find(" pressure ") == std::string::npos;
-    scene->rate = known(now.rate) ? now.rate : now.iv * scene->pressure / scene->viscosity;
-    // particles at rest that just touch: this is not the pressure of the flow
-    if (scene->pressure < AT_REST * scene->viscosity * fabs(scene->rate)) scene->pressure = UNKNOWN;
-    return;
-  }
-  const double rate = SceneInstance::deform_rate(lmp);
-  if (rate != 0.0) scene->rate = rate;
-}
-
-/* ----------------------------------------------------------------------
-   values of the last run
-------------------------------------------------------------------------- */
-
-void SuspensionScene::read_plates()
-{
-  enum { RATE = 1, PHI = 5, LOWER = 6, UPPER = 7, TARGET = 13 };
-  const double stress = 1.0 / force->nktv2p;
-  for (const auto &fix : modify->get_fix_by_style("^rheometer/plates$")) {
-    walls = true;
-    if (fix->compute_vector(PHI) > 0.0) scene->phi = fix->compute_vector(PHI);
-    if (fix->compute_vector(RATE) != 0.0) scene->rate = fix->compute_vector(RATE);
-    const double measured = 0.5 * (fix->compute_vector(LOWER) + fix->compute_vector(UPPER));
-    const double target = fix->compute_vector(TARGET);
-    const double p = target > 0.0 ? target : measured;
-    if (p > 0.0) scene->pressure = p * stress;
   }
 }
 
