@@ -7,4 +7,4 @@ cd "$(dirname "$0")"
 ../../tools/python.sh suspension_laws.py draw
 ../../tools/python.sh suspension_laws.py table
 ../../tools/python.sh promise.py
-if [ -f pairs.py ]; then ../../tools/python.sh pairs.py; fi
+../../tools/python.sh pairs.py

@@ -65,6 +65,7 @@ class FixDeformRheometer : public FixDeform {
   // for suspension_scene: what it imposes, NaN where it imposes nothing, and all that as typed
   struct Imposed {
     double rate, iv, pressure;
+    bool steady_shear, holds_rate, holds_pressure;
   };
   Imposed imposed() const;
   std::string settings_text() const;

@@ -288,7 +288,8 @@ int FixDeformRheometer::modify_param(int narg, char **arg)
 
 FixDeformRheometer::Imposed FixDeformRheometer::imposed() const
 {
-  Imposed now = {NAN, NAN, NAN};
+  const bool steady = flow == rheometer::SHEAR && drive != OSCILLATE;
+  Imposed now = {NAN, NAN, NAN, steady, drive == RATE, confinement == PRESSURE};
   if (drive == IV && driven.value != 0.0)
     now.iv = driven.value;
   else if (drive == OSCILLATE)

@@ -116,10 +116,11 @@ PairLubcontact::~PairLubcontact()
 static void check_positions(const Atom *atom, bigint step, Error *error)
 {
   constexpr double LARGEST = std::numeric_limits<double>::max();
-  int wrong = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int d = 0; d < 3; d++) wrong |= !(fabs(atom->x[i][d]) <= LARGEST);
-  if (!wrong) return;
+  const double *x = atom->nlocal ? atom->x[0] : nullptr;    // they are contiguous
+  const int size = 3 * atom->nlocal;
+  double wrong = 0.0;    // of the type of a position, so that the loop vectorizes
+  for (int n = 0; n < size; n++) wrong = fabs(x[n]) <= LARGEST ? wrong : 1.0;
+  if (wrong == 0.0) return;
   for (int i = 0; i < atom->nlocal; i++)
     for (int d = 0; d < 3; d++)
       if (!(fabs(atom->x[i][d]) <= LARGEST))

@@ -221,15 +221,20 @@ void PairLubcontact::check_repulsion(double smallest) const
 
 void PairLubcontact::check_motion() const
 {
-  if (comm->me) return;
-  if (domain->deform_flag && !domain->deform_vremap && domain->h_rate[5] != 0.0)
+  const bool root = comm->me == 0;
+  if (root && domain->deform_flag && !domain->deform_vremap && domain->h_rate[5] != 0.0)
     error->warning(FLERR,
                    "The cell is sheared, but particles that cross its boundary keep their "
                    "velocity: add to fix deform: remap v");
   const bool turns = mode[SHEAR] || mode[ROLL] || mode[TWIST] || (mask & lubcontact::FRICTION);
-  for (const auto &fix : modify->get_fix_by_style("^nve$"))
-    if (turns)
+  for (const auto &fix : modify->get_fix_by_style("^nve$")) {
+    int mine = 0, any;    // under hybrid it may move points
+    for (int i = 0; i < atom->nlocal; i++)
+      if ((atom->mask[i] & fix->groupbit) && atom->radius[i] > 0.0) mine = 1;
+    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+    if (root && turns && any)
       error->warning(FLERR, "Fix {} nve does not turn particles: use fix nve/sphere", fix->id);
+  }
 }
 
 /* ----------------------------------------------------------------------

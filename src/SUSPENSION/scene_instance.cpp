@@ -104,16 +104,14 @@ static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
   } else if (rheometer) {
     settings = rheometer->settings_text();
     plan.flow = fix;
-    auto has = [&settings](const char *word) {
-      return settings.find(word) != std::string::npos;
-    };
-    if (!has("flow shear ") || has(" oscillate "))
+    const auto imposed = rheometer->imposed();
+    if (!imposed.steady_shear)
       lmp->error->all(FLERR,
                       "Suspension_scene measure compares the viscosity of steady shear, but fix {} "
                       "has: {}; the advice without the word measure works here, too",
                       fix->id, settings);
-    plan.holds_rate = has(" rate ");
-    plan.holds_pressure = has(" pressure ");
+    plan.holds_rate = imposed.holds_rate;
+    plan.holds_pressure = imposed.holds_pressure;
   } else if (utils::strmatch(fix->style, "^deform$") && Deformation::only_tilts(deform)) {
     plan.flow = fix;
     plan.rate = SceneInstance::deform_rate(lmp);

@@ -131,10 +131,9 @@ void SuspensionScene::read_flow()
 {
   const double stress = 1.0 / force->nktv2p;
   for (const auto &fix : modify->get_fix_by_style("^deform/rheometer$")) {
-    const auto *rheometer = dynamic_cast<FixDeformRheometer *>(fix);
-    const auto now = rheometer->imposed();
+    const auto now = dynamic_cast<FixDeformRheometer *>(fix)->imposed();
     scene->pressure = now.pressure * stress;
-    measured = rheometer->settings_text().find(" pressure ") == std::string::npos;
+    measured = !now.holds_pressure;
     scene->rate = known(now.rate) ? now.rate : now.iv * scene->pressure / scene->viscosity;
     // particles at rest that just touch: this is not the pressure of the flow
     if (scene->pressure < AT_REST * scene->viscosity * fabs(scene->rate)) scene->pressure = UNKNOWN;
