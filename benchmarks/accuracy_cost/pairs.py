@@ -366,6 +366,7 @@ def main():
     parser.add_argument("-o", "--output", default=HERE, type=Path, metavar="FOLDER")
     parser.add_argument("--draw", action="store_true", help="only the figure and the orders, from the tables in FOLDER")
     arguments = parser.parse_args()
+    arguments.output.mkdir(parents=True, exist_ok=True)    # now, not after the runs
     if not arguments.draw:
         measure(arguments.output)
     rows = read(arguments.output / "pairs.csv")
