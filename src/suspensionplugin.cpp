@@ -17,9 +17,11 @@
 #include "fix_deform_rheometer.h"
 #include "fix_drag_background.h"
 #include "fix_neigh_history_lubcontact.h"
+#include "fix_neigh_history_place.h"
 #include "fix_overdamped_sphere.h"
 #include "fix_rheometer_plates.h"
 #include "pair_lubcontact.h"
+#include "suspension_history.h"
 #include "suspension_scene.h"
 
 #include "lammpsplugin.h"
@@ -85,6 +87,7 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   };
 
   without_args("pair", "lubcontact", &create<Pair, PairLubcontact>);
+  without_args("command", "suspension_history", &create<Command, SuspensionHistory>);
   without_args("command", "suspension_scene", &create<Command, SuspensionScene>);
   with_args("compute", "microstructure", &create_with_args<Compute, ComputeMicrostructure>);
   with_args("compute", "power/partition", &create_with_args<Compute, ComputePowerPartition>);
@@ -92,6 +95,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   with_args("compute", "stress/partition/atom",
             &create_with_args<Compute, ComputeStressPartitionAtom>);
   with_args("fix", "NEIGH_HISTORY/LUBCONTACT", &create_with_args<Fix, FixNeighHistoryLubcontact>);
+  with_args("fix", "NEIGH_HISTORY/LUBCONTACT/PLACE",
+            &create_with_args<Fix, FixNeighHistoryPlace>);
   with_args("fix", "deform/rheometer", &create_with_args<Fix, FixDeformRheometer>);
   with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
   with_args("fix", "overdamped/sphere", &create_with_args<Fix, FixOverdampedSphere>);

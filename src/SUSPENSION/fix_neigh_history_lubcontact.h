@@ -18,21 +18,59 @@ FixStyle(NEIGH_HISTORY/LUBCONTACT,FixNeighHistoryLubcontact);
 
 #include "fix_neigh_history.h"
 
+#include <unordered_set>
+#include <vector>
+
 namespace LAMMPS_NS {
 
-// LAMMPS' pair history, with guards against stale lists and against a restart with other effects. Internal: created by pair style lubcontact.
+// LAMMPS' pair history, which finds a partner by its ID. Here each record knows the ID and the radius that its atom had
+// when it was made: it follows its atom when IDs are made anew, and is dropped when the atom was given another size.
+// With guards against stale lists, and against restart files of other effects. Internal: created by pair style
+// lubcontact.
 
 class FixNeighHistoryLubcontact : public FixNeighHistory {
  public:
   FixNeighHistoryLubcontact(class LAMMPS *, int, char **);
+  void init() override;
   void pre_exchange() override;
+  void post_neighbor() override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
   int pack_restart(int, double *) override;
   void unpack_restart(int, int) override;
   int size_restart(int) override;
   int maxsize_restart() override;
+  double memory_usage() override;
+
+  void take_restart(
+      const std::vector<std::vector<double>> &);    // of each atom; empty: as LAMMPS has them
+  bigint
+  forget(int);    // records of the atoms in a group, and those of their partners; how many pairs
+  bool settled() const;    // do all ranks have the IDs and radii of the records?
 
  protected:
-  double layout;    // which values a pair keeps
+  struct Owner {
+    tagint id = 0;    // under which the partners of an atom know it; 0: it has none
+    double radius = 0.0;
+  };
+  double layout;                 // which values a pair keeps
+  std::vector<Owner> owner;      // of each atom
+  std::vector<tagint> row_id;    // of the atoms when the list was made
+  std::vector<tagint> ids;       // of the records, ghosts included
+  int part;          // of what the fixes keep of an atom in the restart file, -1: nothing
+  bool restarted;    // the records come from a restart file
+
+  void check_rows() const;
+  void drop_resized();
+  void find_partners();
+  void check_found() const;
+  std::unordered_set<tagint> all_owners() const;
+  void record(int, const double *);
 };
 
 }    // namespace LAMMPS_NS

@@ -149,6 +149,13 @@ inline Gap gap_euler(const Gap &old, double r1, double A, double h)
   return {std::exp(y1), y1};
 }
 
+// The history of a gap, u/a and ln(u/a), after a has changed: factor is the old a over the new one.
+inline void rescale_gap(double factor, double *gap)
+{
+  gap[0] *= factor;
+  gap[1] += std::log(factor);
+}
+
 struct GapLaw {
   double alpha;     // k/g
   double eps;       // roughness: height of the asperities over a; 0: smooth

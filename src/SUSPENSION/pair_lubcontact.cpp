@@ -10,11 +10,10 @@
 #include "pair_lubcontact.h"
 
 #include "atom.h"
+#include "atom_vec.h"
 #include "comm.h"
 #include "compute.h"
 #include "error.h"
-#include "fix.h"
-#include "fix_neigh_history.h"
 #include "force.h"
 #include "lubcontact_channels.h"
 #include "lubcontact_power.h"
@@ -35,6 +34,8 @@ using lubcontact::PairGeometry;
 using lubcontact::Vec3;
 
 static constexpr int SINGLE_EXTRA = 15;
+static constexpr int MAX_HISTORY =
+    lubcontact::Effects<lubcontact::NUM_COMBINATIONS - 1>::HISTORY_SIZE;
 
 /* ---------------------------------------------------------------------- */
 
@@ -45,9 +46,9 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     kt(nullptr), asperity(nullptr), roughness(nullptr), friction(nullptr), law(nullptr),
     critical(nullptr), adhesion(nullptr), repulsion(nullptr), screening(nullptr), coeffs(nullptr),
     reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
-    fix_history(nullptr), reported(false), partition_now(false), partition_atom_now(false),
-    power_now(false), mask(0), size_history(0), history_layout(0), eval(nullptr),
-    eval_single(nullptr), exchange(nullptr)
+    fix_history(nullptr), history_place(nullptr), reported(false), partition_now(false),
+    partition_atom_now(false), power_now(false), mask(0), size_history(0), history_layout(0),
+    eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
   static_assert(NUM_ORIGINS == lubcontact::NUM_ORIGINS, "one row of power per origin");
@@ -63,19 +64,7 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
   single_extra = SINGLE_EXTRA;
   svector = new double[single_extra];
 
-  // lowest free number: a restarted script finds its history whatever pair styles either script had
-  int number = 1;
-  auto taken = [this](const std::string &id) {
-    return modify->get_fix_by_id(id) != nullptr;
-  };
-  while (taken(fmt::format("NEIGH_HISTORY_LUBCONTACT{}", number)) ||
-         taken(fmt::format("NEIGH_HISTORY_LUBCONTACT_DUMMY{}", number)))
-    number++;
-  history_id = fmt::format("NEIGH_HISTORY_LUBCONTACT{}", number);
-  dummy_id = fmt::format("NEIGH_HISTORY_LUBCONTACT_DUMMY{}", number);
-
-  // keeps the place of the history among the fixes until its size is known
-  modify->add_fix(dummy_id + " all DUMMY");
+  find_place();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -84,8 +73,7 @@ PairLubcontact::~PairLubcontact()
 {
   if (copymode) return;
 
-  const std::string &mine = fix_history ? history_id : dummy_id;
-  if (modify->get_fix_by_id(mine)) modify->delete_fix(mine);    // else unloaded with its style
+  leave_place();
   delete[] svector;
   delete[] eta_name;
   delete[] max_radius;
@@ -141,6 +129,7 @@ void PairLubcontact::compute(int eflag, int vflag)
     check_radii();
     tessellate();
   }
+  if (!atom->avec->comm_x_only) follow_radii();
   start_partition();
   (this->*eval)();
 }
@@ -219,70 +208,11 @@ void PairLubcontact::choose_effects()
   if (extensions == (ADHESION | REPULSION)) choose_extended<ADHESION | REPULSION>();
 }
 
-/* ----------------------------------------------------------------------
-   fix that carries the history, of the size that the effects need
-------------------------------------------------------------------------- */
-
-void PairLubcontact::require_history()
-{
-  if (fix_history && modify->get_fix_by_id(history_id) != fix_history)
-    error->all(FLERR,
-               "Fix {} of pair style lubcontact is gone: load the plugin and give pair_style and "
-               "pair_coeff again",
-               history_id);
-  if (fix_history && fix_history->get_dnum() != size_history) {
-    if (comm->me == 0)
-      error->warning(FLERR, "Pair style lubcontact now has other effects: its history is dropped");
-    modify->replace_fix(history_id, dummy_id + " all DUMMY", 1);
-    fix_history = nullptr;
-  }
-  if (!fix_history && size_history) {
-    fix_history = dynamic_cast<FixNeighHistory *>(
-        modify->replace_fix(dummy_id,
-                            fmt::format("{} all NEIGH_HISTORY/LUBCONTACT {} {}", history_id,
-                                        size_history, history_layout),
-                            1));
-    if (!fix_history) error->all(FLERR, "Could not find pair fix neigh history ID {}", history_id);
-    fix_history->pair = this;
-  }
-}
-
 /* ---------------------------------------------------------------------- */
 
 double PairLubcontact::effective_radius(double ri, double rj) const
 {
   return lubcontact::effective_radius(static_cast<lubcontact::Radius>(radius_rule), ri, rj);
-}
-
-/* ----------------------------------------------------------------------
-   parity of the history under exchange of i and j
-------------------------------------------------------------------------- */
-
-void PairLubcontact::transfer_history(double *source, double *target, int, int)
-{
-  exchange(source, target);
-}
-
-/* ----------------------------------------------------------------------
-   history of (i,j), copied to buffer if it is kept as (j,i); null if the pair has none
-------------------------------------------------------------------------- */
-
-const double *PairLubcontact::find_history(int i, int j, double *buffer) const
-{
-  if (!fix_history) return nullptr;
-  for (int swap = 0; swap < 2; swap++) {
-    const int owner = swap ? j : i, partner = swap ? i : j;
-    if (owner >= atom->nlocal) continue;
-    for (int jj = 0; jj < list->numneigh[owner]; jj++) {
-      if ((list->firstneigh[owner][jj] & NEIGHMASK) != partner) continue;
-      if (!fix_history->firstflag[owner][jj]) return nullptr;
-      const double *found = fix_history->firstvalue[owner] + size_history * jj;
-      if (!swap) return found;
-      exchange(found, buffer);
-      return buffer;
-    }
-  }
-  return nullptr;
 }
 
 /* ----------------------------------------------------------------------
@@ -301,9 +231,11 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
   for (int m = 0; m < SINGLE_EXTRA; m++) svector[m] = 0.0;
   svector[0] = svector[1] = geometry.un;
   if (geometry.un >= reach[itype][jtype] * a) return 0.0;
+  Entry entry;
+  if (!find_entry(i, j, entry) || !acts(entry.owner, entry.jj, geometry.un, a)) return 0.0;
 
-  double energy;
-  const Load load = (this->*eval_single)(i, j, geometry, energy);
+  double energy, buffer[MAX_HISTORY];
+  const Load load = (this->*eval_single)(i, j, geometry, find_history(entry, buffer), energy);
   const lubcontact::ShearSplit parts = lubcontact::split(load);
   const double shear = lubcontact::norm(load.shear);
   const double values[SINGLE_EXTRA] = {load.u,
@@ -333,5 +265,5 @@ double PairLubcontact::memory_usage()
   const double n = atom->ntypes + 1.0;
   return Pair::memory_usage() + n * n * (10 * sizeof(double) + sizeof(int) + sizeof(PairCoeffs)) +
       partition_atom.capacity() * sizeof(partition_atom[0]) + faces.capacity() +
-      first_face.capacity() * sizeof(first_face[0]);
+      first_face.capacity() * sizeof(first_face[0]) + radii.capacity() * sizeof(double);
 }

@@ -105,7 +105,8 @@ class PairLubcontact : public Pair {
   SurfaceForces surface_forces(int, int, double) const;
   double viscosity() const;                    // NaN for a variable not yet evaluated
   unsigned effects() const { return mask; }    // of the last run: those of the history
-  class FixNeighHistory *history() const { return fix_history; }    // or null
+  class FixNeighHistoryLubcontact *history() const { return fix_history; }    // or null
+  bigint forget_history(int);    // of the particles in a group, from the next run on; records
   double dt_limit;         // at the last set-up, 0 before or since the coefficients have changed;
   double dt_limit_mass;    // mass of all particles then
 
@@ -136,9 +137,11 @@ class PairLubcontact : public Pair {
       longest;    // distance of centers at which the style acts; under hybrid cutforce is not set
   double *max_radius;               // per type
   std::vector<double> stiffness;    // sum over the partners, at set-up
+  std::vector<double> radii;        // of the last step, where they may change in a run
   std::string history_id, dummy_id;
-  class FixNeighHistory *fix_history;
-  bool reported;    // the table of this run has been printed
+  class FixNeighHistoryLubcontact *fix_history;
+  class FixNeighHistoryPlace *history_place;    // until the size of the history is known
+  bool reported;                                // the table of this run has been printed
   bool partition_now, partition_atom_now, power_now;
   std::vector<class Compute *> clients;          // every compute stress/partition
   std::vector<class Compute *> atom_clients;     // every compute stress/partition/atom
@@ -157,7 +160,7 @@ class PairLubcontact : public Pair {
   // one instance of the loop per combination of effects
   using Eval = void (PairLubcontact::*)();
   using Single = lubcontact::Load (PairLubcontact::*)(int, int, const lubcontact::PairGeometry &,
-                                                      double &);
+                                                      const double *, double &);
   using Exchange = void (*)(const double *, double *);
   unsigned mask;
   int size_history;
@@ -178,7 +181,8 @@ class PairLubcontact : public Pair {
   double share(int) const;
   lubcontact::Body body(int) const;
   template <unsigned MASK>
-  lubcontact::Load single_effects(int, int, const lubcontact::PairGeometry &, double &);
+  lubcontact::Load single_effects(int, int, const lubcontact::PairGeometry &, const double *,
+                                  double &);
   template <class E>
   void tally_pair(int, int, const lubcontact::PairCoeffs &, const lubcontact::PairGeometry &,
                   const lubcontact::Load &);
@@ -196,7 +200,17 @@ class PairLubcontact : public Pair {
   void require_history();
   void update_viscosity();
   double effective_radius(double, double) const;
-  const double *find_history(int, int, double *) const;
+  struct Entry {    // of the neighbor list
+    int owner, jj;
+    bool swapped;    // the pair (i,j) is there as (j,i)
+  };
+  bool find_entry(int, int, Entry &) const;
+  bool excluded(int, int) const;
+  bool acts(int, int, double, double) const;
+  const double *find_history(const Entry &, double *) const;
+  void find_place();
+  void leave_place();
+  void follow_radii();
   void start_partition();
   void tally_partition(int, int, const lubcontact::PairGeometry &, const lubcontact::Load &);
   lubcontact::FrictionLaw friction_law(int, int, char **) const;

@@ -15,7 +15,7 @@
 #include "pair_lubcontact.h"
 
 #include "atom.h"
-#include "fix_neigh_history.h"
+#include "fix_neigh_history_lubcontact.h"
 #include "force.h"
 #include "lubcontact_batch.h"
 #include "lubcontact_channels.h"
@@ -312,12 +312,12 @@ template <class E>
 /* ---------------------------------------------------------------------- */
 
 template <unsigned MASK>
-Load PairLubcontact::single_effects(int i, int j, const PairGeometry &geometry, double &energy)
+Load PairLubcontact::single_effects(int i, int j, const PairGeometry &geometry,
+                                    const double *history, double &energy)
 {
   using E = lubcontact::Effects<MASK>;
   const PairCoeffs &c = coeffs[atom->type[i]][atom->type[j]];
   double buffer[E::HISTORY_SIZE + 1];
-  const double *history = find_history(i, j, buffer);
   if (!history) {
     lubcontact::first_history<E>(c, geometry, buffer);
     history = buffer;

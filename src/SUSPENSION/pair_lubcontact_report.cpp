@@ -104,7 +104,6 @@ double PairLubcontact::sum_stiffness(double spin, double each)
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     const double *xi = atom->x[i];
-    const char *faces_i = faces_of(i);
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       const int itype = atom->type[i], jtype = atom->type[j];
@@ -112,9 +111,7 @@ double PairLubcontact::sum_stiffness(double spin, double each)
       const double ri = atom->radius[i], rj = atom->radius[j], a = effective_radius(ri, rj);
       const auto geometry =
           lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
-      if (geometry.un >= reach[itype][jtype] * a) continue;
-      if (faces_i && !faces_i[jj] && geometry.un >= touching_gap(coeffs[itype][jtype]) * a)
-        continue;
+      if (!acts(i, jj, geometry.un, a)) continue;
       lubcontact::PairStiffness k{each, each};
       if (each == 0.0)
         k = lubcontact::pair_stiffness(g[itype][jtype], kt[itype][jtype], spin, geometry, ri, rj,

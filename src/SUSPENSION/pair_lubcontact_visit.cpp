@@ -10,7 +10,7 @@
 #include "pair_lubcontact.h"
 
 #include "atom.h"
-#include "fix_neigh_history.h"
+#include "fix_neigh_history_lubcontact.h"
 #include "force.h"
 #include "lubcontact_pair.h"
 #include "neigh_list.h"

@@ -16,7 +16,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_deform_rheometer.h"
-#include "fix_neigh_history.h"
+#include "fix_neigh_history_lubcontact.h"
 #include "force.h"
 #include "group.h"
 #include "irregular.h"
@@ -149,7 +149,7 @@ void SceneInstance::copy_state(Fix *fix) const
 void SceneInstance::copy_history(const PairLubcontact *from)
 {
   const auto *to = dynamic_cast<PairLubcontact *>(lmp->force->pair);
-  FixNeighHistory *source = from->history(), *target = to->history();
+  FixNeighHistoryLubcontact *source = from->history(), *target = to->history();
   if (!target) return;
   history_kept = source != nullptr;
   if (!source) return;
