@@ -16,10 +16,12 @@
 #include "error.h"
 #include "force.h"
 #include "kspace.h"
+#include "list_keeper.h"
 #include "modify.h"
 #include "output.h"
 #include "pair.h"
 #include "rheometer_flow.h"
+#include "rheometer_list.h"
 #include "rheometer_servo.h"
 #include "update.h"
 
@@ -124,12 +126,36 @@ void FixDeformRheometer::setup_pre_neighbor()
   if (update->whichflag == 1) restore_positions();
   comm->forward_comm();
   check_cell();
+  start_list();
 }
 
 void FixDeformRheometer::pre_neighbor()
 {
   if (update->ntimestep == output->next_restart) comm->forward_comm();
   check_cell();
+  start_list();
+}
+
+/* ----------------------------------------------------------------------
+   a list lives for as long as the deformation of the cell, and what particles do besides, allow
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::start_list()
+{
+  *listed = {domain->xprd, domain->yprd, domain->zprd, domain->xy};
+  keeper->listed();
+}
+
+void FixDeformRheometer::keep_list(const Cell &cell)
+{
+  check_cell();    // which otherwise is done with the lists
+  const rheometer::Deformation f = rheometer::deformation(*listed, cell);
+  if (!keeper->decide({f}, domain->boxlo)) next_reneighbor = update->ntimestep;
+}
+
+void FixDeformRheometer::post_run()
+{
+  keeper->release();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -206,6 +232,8 @@ void FixDeformRheometer::post_integrate()
     set[4].tilt_flip = domain->xz;
     set[5].tilt_flip = cell.xy + flipxy * cell.lx;
     next_reneighbor = update->ntimestep;
+  } else if (keeper->on) {
+    keep_list(cell);
   }
   if (kspace_flag) force->kspace->setup();
 }

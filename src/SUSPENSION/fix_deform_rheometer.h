@@ -33,6 +33,8 @@ struct Watch;
 
 namespace LAMMPS_NS {
 
+class ListKeeper;
+
 // A FixDeform, because LAMMPS looks for one to make the velocities of ghost atoms; nothing of its
 // motion of the box is used, only its flip.
 class FixDeformRheometer : public FixDeform {
@@ -48,6 +50,7 @@ class FixDeformRheometer : public FixDeform {
   void pre_exchange() override;
   void pre_neighbor() override;
   void end_of_step() override;
+  void post_run() override;
   double compute_vector(int) override;
   int modify_param(int, char **) override;
   void write_restart(FILE *) override;
@@ -103,6 +106,8 @@ class FixDeformRheometer : public FixDeform {
   std::unique_ptr<rheometer::Material> material;
   class Compute *virial;
   std::string virial_id;
+  std::unique_ptr<ListKeeper> keeper;         // of the neighbor lists
+  std::unique_ptr<rheometer::Cell> listed;    // cell when they were made
   double **held;        // positions before LAMMPS converts them to lamda coordinates and back
   bool from_restart;    // held comes from the restart file
 
@@ -110,6 +115,7 @@ class FixDeformRheometer : public FixDeform {
   int parse_drive(int, int, char **, bool);
   void need_values(int, int, int, char **) const;
   int parse_flow(int, const char *) const;
+  bool parse_lists(int, const char *) const;
   void check_directions() const;
   void check_variables() const;
   bool has_variables() const;
@@ -126,6 +132,8 @@ class FixDeformRheometer : public FixDeform {
   void judge_stress();
   double interval() const;
   void set_gradient();
+  void start_list();
+  void keep_list(const rheometer::Cell &);
   void publish_rates();
 };
 

@@ -12,6 +12,7 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "list_keeper.h"
 #include "memory.h"
 #include "modify.h"
 #include "rheometer_flow.h"
@@ -74,7 +75,8 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
     watch_pressure(new rheometer::Watch()), watch_stress(new rheometer::Watch()),
     watch_rate(new rheometer::Watch()), measured_pressure(0.0), measured_stress(0.0),
     state(rheometer::IDLE), fresh(true), stepped(false), warned(false), warned_every(false),
-    particles(), material(new rheometer::Material()), virial(nullptr), held(nullptr),
+    particles(), material(new rheometer::Material()), virial(nullptr),
+    keeper(new ListKeeper(lmp, this)), listed(new rheometer::Cell()), held(nullptr),
     from_restart(false)
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
@@ -87,6 +89,8 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
   dynamic_group_allow = 0;
   restart_peratom = 1;
   maxexchange = 3;
+  force_reneighbor = 1;    // the parent asks for lists only where a cell tilts
+  next_reneighbor = -1;
 
   double start = 0.0;
   for (int iarg = 3; iarg < narg;) {
@@ -194,12 +198,17 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
     set_confinement(VOLUME);
     return iarg + 1;
   }
+  if (key == "lists") {
+    need_values(1, iarg, narg, arg);
+    keeper->on = parse_lists(where, arg[iarg + 1]);
+    return iarg + 2;
+  }
   if (key != "pressure" && key != "viscosity" && key != "gain")
     error->all(FLERR, where,
                pointer
                    ? "Unknown fix {} keyword: {}"
                    : "Fix {} {} cannot be changed by fix_modify; what can is: rate, iv, stress, "
-                     "oscillate, pressure, volume, viscosity, gain",
+                     "oscillate, pressure, volume, viscosity, gain, lists",
                style, key);
   need_values(1, iarg, narg, arg);
   if (key == "pressure") {
@@ -216,6 +225,18 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
     positive(number, false);
   }
   return iarg + 2;
+}
+
+/* ----------------------------------------------------------------------
+   who decides when neighbor lists are made anew
+------------------------------------------------------------------------- */
+
+bool FixDeformRheometer::parse_lists(int where, const char *word) const
+{
+  if (strcmp(word, "affine") == 0) return true;
+  if (strcmp(word, "lammps") != 0)
+    error->all(FLERR, where, "Fix {} lists must be affine or lammps, but is {}", style, word);
+  return false;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -315,5 +336,6 @@ std::string FixDeformRheometer::settings_text() const
   else
     text += " volume";
   if (viscosity_given) text += fmt::format(" viscosity {}", viscosity.value);
+  if (!keeper->on) text += " lists lammps";
   return text;
 }

@@ -12,6 +12,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "list_keeper.h"
 #include "memory.h"
 #include "restart_seal.h"
 #include "rheometer_flow.h"
@@ -183,5 +184,5 @@ int FixDeformRheometer::maxsize_restart()
 
 double FixDeformRheometer::memory_usage()
 {
-  return FixDeform::memory_usage() + 3.0 * atom->nmax * sizeof(double);
+  return FixDeform::memory_usage() + 3.0 * atom->nmax * sizeof(double) + keeper->memory_usage();
 }

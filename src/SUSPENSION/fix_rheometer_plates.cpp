@@ -18,9 +18,11 @@
 #include "error.h"
 #include "force.h"
 #include "group.h"
+#include "list_keeper.h"
 #include "modify.h"
 #include "restart_seal.h"
 #include "rheometer_flow.h"
+#include "rheometer_list.h"
 #include "rheometer_plate.h"
 #include "rheometer_servo.h"
 #include "update.h"
@@ -37,7 +39,8 @@ using rheometer::UPPER;
 
 int FixRheometerPlates::setmask()
 {
-  return INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE | MIN_POST_FORCE;
+  return INITIAL_INTEGRATE | POST_INTEGRATE | PRE_NEIGHBOR | POST_FORCE | FINAL_INTEGRATE |
+      MIN_POST_FORCE;
 }
 
 /* ----------------------------------------------------------------------
@@ -262,7 +265,43 @@ void FixRheometerPlates::initial_integrate(int /*vflag*/)
   }
   state.strain += state.rate * dt;
   state.clock += dt;
+  listed.slid += dt * state.vx;
   move_particles(dt);
+}
+
+/* ----------------------------------------------------------------------
+   A list lives for as long as the flow between the plates, or what particles do in all, allows
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::setup_pre_neighbor()
+{
+  pre_neighbor();
+}
+
+void FixRheometerPlates::pre_neighbor()
+{
+  keeper->listed();
+  if (!keeper->on) return;
+  double top;
+  measure_surfaces(listed.bottom, top);
+  listed.gap = top - listed.bottom;
+  listed.slid = 0.0;
+}
+
+void FixRheometerPlates::post_integrate()
+{
+  if (!keeper->on) return;
+  rheometer::Deformation flow;
+  flow.yy = state.gap / listed.gap;
+  flow.xy = listed.slid / listed.gap;
+  const double origin[3] = {0.0, listed.bottom, 0.0};
+  if (!keeper->decide({flow, rheometer::Deformation()}, origin))
+    next_reneighbor = update->ntimestep;
+}
+
+void FixRheometerPlates::post_run()
+{
+  keeper->release();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -401,4 +440,11 @@ void FixRheometerPlates::restart(char *buffer)
   if (state.drive != drive || (drive == OSCILLATE && (other_wave || state.frequency != frequency)))
     start_drive();
   if (state.load != load) start_load(false);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixRheometerPlates::memory_usage()
+{
+  return keeper->memory_usage();
 }

@@ -20,6 +20,7 @@ FixStyle(rheometer/plates,FixRheometerPlates);
 
 #include "rheometer_target.h"
 
+#include <memory>
 #include <string>
 
 namespace rheometer {
@@ -29,18 +30,26 @@ struct WallStress;
 
 namespace LAMMPS_NS {
 
+class ListKeeper;
+
 class FixRheometerPlates : public Fix {
  public:
   FixRheometerPlates(class LAMMPS *, int, char **);
+  ~FixRheometerPlates() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
   void min_setup(int) override;
+  void setup_pre_neighbor() override;
   void initial_integrate(int) override;
+  void post_integrate() override;
+  void pre_neighbor() override;
   void post_force(int) override;
   void min_post_force(int) override;
   void final_integrate() override;
+  void post_run() override;
   double compute_vector(int) override;
+  double memory_usage() override;
   int modify_param(int, char **) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
@@ -82,6 +91,12 @@ class FixRheometerPlates : public Fix {
     double density = 0.0, diameter = 0.0;    // and their means
     double plate_mass = 0.0;                 // of the particles of the upper plate
   } state;
+
+  // neighbor lists, and what the upper plate has moved since they were made
+  std::unique_ptr<ListKeeper> keeper;
+  struct Listed {
+    double bottom = 0.0, gap = 0.0, slid = 0.0;    // mean surface of the lower plate
+  } listed;
 
   double force_on[2][3];     // of the suspension on the plates
   const double *pair_eta;    // viscosity of the pair style, or null

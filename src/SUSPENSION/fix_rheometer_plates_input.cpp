@@ -15,6 +15,7 @@
 #include "error.h"
 #include "group.h"
 #include "input.h"
+#include "list_keeper.h"
 #include "rheometer_plate.h"
 
 #include <cmath>
@@ -26,9 +27,9 @@ using rheometer::UPPER;
 
 // number of values of each keyword
 static const std::map<std::string, int> KEYWORDS = {
-    {"rate", 1}, {"velocity", 1}, {"stress", 1},   {"oscillate", 3}, {"iv", 1},
-    {"gap", 0},  {"pressure", 1}, {"load", 1},     {"mass", 1},      {"damper", 1},
-    {"drag", 1}, {"gain", 1},     {"viscosity", 1}};
+    {"rate", 1}, {"velocity", 1}, {"stress", 1},    {"oscillate", 3}, {"iv", 1},
+    {"gap", 0},  {"pressure", 1}, {"load", 1},      {"mass", 1},      {"damper", 1},
+    {"drag", 1}, {"gain", 1},     {"viscosity", 1}, {"lists", 1}};
 
 // where each keyword of one command stands
 struct FixRheometerPlates::Places : std::map<std::string, int> {};
@@ -39,9 +40,11 @@ struct FixRheometerPlates::Places : std::map<std::string, int> {};
 
 FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), igroup_plate{0, 0}, bit{0, 0}, drive(RATE), load(GAP), frequency(0.0),
-    own_viscosity(false), mass(0.0), damper_x(0.0), damper_y(0.0), gain(1.0), force_on{},
-    pair_eta(nullptr)
+    own_viscosity(false), mass(0.0), damper_x(0.0), damper_y(0.0), gain(1.0),
+    keeper(new ListKeeper(lmp, this)), force_on{}, pair_eta(nullptr)
 {
+  force_reneighbor = 1;
+  next_reneighbor = -1;
   if (narg < 5) utils::missing_cmd_args(FLERR, "fix rheometer/plates", error);
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "Fix rheometer/plates needs finite-size spheres; use: atom_style sphere");
@@ -61,6 +64,8 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   extvector = 0;
 }
+
+FixRheometerPlates::~FixRheometerPlates() = default;
 
 /* ---------------------------------------------------------------------- */
 
@@ -172,6 +177,14 @@ void FixRheometerPlates::parse_number(const std::string &key, char **arg, int ia
     if (viscosity.value < 0.0)
       error->all(FLERR, place(arg, iarg + 1),
                  "Fix rheometer/plates viscosity must be >= 0, but is {}", arg[iarg + 1]);
+    return;
+  }
+  if (key == "lists") {
+    const std::string word = arg[iarg + 1];
+    if (word != "affine" && word != "lammps")
+      error->all(FLERR, place(arg, iarg + 1),
+                 "Fix rheometer/plates lists must be affine or lammps, but is {}", word);
+    keeper->on = word == "affine";
     return;
   }
   double *number = nullptr;

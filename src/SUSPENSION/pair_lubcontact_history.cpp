@@ -13,6 +13,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "fix_neigh_history_lubcontact.h"
 #include "fix_neigh_history_place.h"
@@ -42,10 +43,13 @@ void PairLubcontact::find_place()
     Fix *found = modify->get_fix_by_id(dummy_id);
     history_place = dynamic_cast<FixNeighHistoryPlace *>(found);
     if (found && !(history_place && history_place->orphan)) continue;
-    if (!found)
+    // before there is a cell there are no atoms to follow, and LAMMPS takes no other fix
+    if (!found && domain->box_exist)
       history_place = dynamic_cast<FixNeighHistoryPlace *>(
           modify->add_fix(dummy_id + " all NEIGH_HISTORY/LUBCONTACT/PLACE"));
-    history_place->orphan = false;
+    else if (!found)
+      modify->add_fix(dummy_id + " all DUMMY");
+    if (history_place) history_place->orphan = false;
     return;
   }
 }
@@ -54,7 +58,7 @@ void PairLubcontact::leave_place()
 {
   const std::string &mine = fix_history ? history_id : dummy_id;
   if (!modify->get_fix_by_id(mine)) return;    // unloaded with its style
-  if (!fix_history && history_place->holds_rows())
+  if (!fix_history && history_place && history_place->holds_rows())
     history_place->orphan = true;
   else
     modify->delete_fix(mine);
@@ -79,7 +83,7 @@ void PairLubcontact::require_history()
     fix_history = nullptr;
   }
   if (fix_history || !size_history) return;
-  const auto rows = history_place->take_rows();
+  const auto rows = history_place ? history_place->take_rows() : FixNeighHistoryPlace::Rows();
   history_place = nullptr;
   fix_history = dynamic_cast<FixNeighHistoryLubcontact *>(
       modify->replace_fix(dummy_id,

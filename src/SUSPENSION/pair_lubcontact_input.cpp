@@ -321,6 +321,8 @@ void *PairLubcontact::extract(const char *name, int &dim)
   dim = 0;
   if (strcmp(name, "eta") == 0) return eta_name ? nullptr : &eta;
   if (strcmp(name, "rollcoeff") == 0) return &roll_coeff;
+  // range voronoi: which pairs share a face, as long as a list lives
+  if (strcmp(name, "faces") == 0) return faces.empty() ? nullptr : faces.data();
   dim = 2;
   if (strcmp(name, "g") == 0) return g;
   if (strcmp(name, "kt") == 0) return kt;
