@@ -47,7 +47,7 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     critical(nullptr), adhesion(nullptr), repulsion(nullptr), screening(nullptr), coeffs(nullptr),
     reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
     fix_history(nullptr), history_place(nullptr), reported(false), partition_now(false),
-    partition_atom_now(false), power_now(false), mask(0), size_history(0), history_layout(0),
+    partition_atom_now(false), power_now(false), ghosts_of_user(0.0), ghosts_raised(0.0), mask(0), size_history(0), history_layout(0),
     eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
@@ -74,6 +74,7 @@ PairLubcontact::~PairLubcontact()
   if (copymode) return;
 
   leave_place();
+  return_ghosts();
   delete[] svector;
   delete[] eta_name;
   delete[] max_radius;
@@ -206,6 +207,17 @@ void PairLubcontact::choose_effects()
   if (extensions == ADHESION) choose_extended<ADHESION>();
   if (extensions == REPULSION) choose_extended<REPULSION>();
   if (extensions == (ADHESION | REPULSION)) choose_extended<ADHESION | REPULSION>();
+}
+
+/* ----------------------------------------------------------------------
+   unless comm_modify has set another since
+------------------------------------------------------------------------- */
+
+void PairLubcontact::return_ghosts()
+{
+  if (ghosts_raised > 0.0 && comm->cutghostuser == ghosts_raised)
+    comm->cutghostuser = ghosts_of_user;
+  ghosts_raised = 0.0;
 }
 
 /* ---------------------------------------------------------------------- */

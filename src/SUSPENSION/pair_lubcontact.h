@@ -153,7 +153,9 @@ class PairLubcontact : public Pair {
   const char *faces_of(int i) const { return faces.empty() ? nullptr : &faces[first_face[i]]; }
   int set_range(int, char **);
   void require_voronoi(int);
+  double ghosts_of_user, ghosts_raised;    // cut-off of ghosts before, and since, range voronoi asked
   void request_ghosts();
+  void return_ghosts();
   void tessellate();
   [[noreturn]] void ghost_error(int, int, double) const;
 

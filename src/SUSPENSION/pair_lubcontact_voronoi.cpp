@@ -287,13 +287,15 @@ void PairLubcontact::require_voronoi(int) {}
 
 void PairLubcontact::request_ghosts()
 {
+  return_ghosts();
   if (range_rule != static_cast<int>(lubcontact::Range::VORONOI)) return;
   if (comm->mode != Comm::SINGLE)
     error->all(FLERR,
                "Pair style lubcontact range voronoi needs ghost atoms of all types at one "
                "distance; use: comm_modify mode single");
-  comm->cutghostuser =
-      MAX(comm->cutghostuser, GHOST_DISTANCE * largest(max_radius + 1, atom->ntypes));
+  ghosts_of_user = comm->cutghostuser;
+  ghosts_raised = MAX(ghosts_of_user, GHOST_DISTANCE * largest(max_radius + 1, atom->ntypes));
+  comm->cutghostuser = ghosts_raised;
 }
 
 /* ----------------------------------------------------------------------

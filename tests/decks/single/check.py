@@ -30,4 +30,13 @@ deck.expect_close("friction and film share the tangential force", friction + she
 deck.expect("Coulomb", np.all(friction <= 0.5 * contact * (1 + 1e-9)))
 deck.expect("all three states occur", set(state) == {0.0, 1.0, 2.0}, str(sorted(set(state))))
 deck.expect("touching pairs stick or slip", np.array_equal(state > 0, contact > 0))
+
+for newton in ("on", "off"):
+    thermo = deck.run("in.screened", newton=newton).thermo()
+    lines = Path("screened.dump").read_text().splitlines()
+    start = max(n for n, line in enumerate(lines) if line.startswith("ITEM: ENTRIES"))
+    repulsion = np.array([line.split() for line in lines[start + 1:]], dtype=float).T[2]
+    deck.expect(f"newton {newton}: some pairs in range share no face", np.sum(repulsion == 0.0) > 100, np.sum(repulsion == 0.0))
+    share = thermo["c_energy"] / thermo["PotEng"]
+    deck.expect_close(f"newton {newton}: energy of the pairs is that of the run", share, 1.0, rtol=1e-10)
 deck.finish()

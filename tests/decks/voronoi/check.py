@@ -117,4 +117,11 @@ cure = float(text.split("use: comm_modify cutoff")[1].split()[0])
 for y, pairs in ((5.0, 4), (12.0, 3)):
     text = deck.run("in.void", cutoff=cure, y=y).text
     deck.expect(f"  which works: {pairs} pairs, the fourth sphere at {y}", f" {pairs} pairs in range" in text)
+
+reach = {}
+for first in ("cut", "voronoi"):
+    text = deck.run("in.after", first=first).text
+    reach[first] = [float(line.split()[-1]) for line in text.splitlines() if "ghost atom cutoff" in line]
+deck.expect("ghost atoms reach farther for range voronoi", reach["voronoi"][0] > reach["cut"][0], reach)
+deck.expect("and no farther for another range afterwards", reach["voronoi"][1] == reach["cut"][1], reach)
 deck.finish()
