@@ -47,8 +47,8 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     critical(nullptr), adhesion(nullptr), repulsion(nullptr), screening(nullptr), coeffs(nullptr),
     reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
     fix_history(nullptr), history_place(nullptr), reported(false), partition_now(false),
-    partition_atom_now(false), power_now(false), ghosts_of_user(0.0), ghosts_raised(0.0), mask(0), size_history(0), history_layout(0),
-    eval(nullptr), eval_single(nullptr), exchange(nullptr)
+    partition_atom_now(false), power_now(false), ghosts_of_user(0.0), ghosts_raised(0.0), mask(0),
+    size_history(0), history_layout(0), eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
   static_assert(NUM_ORIGINS == lubcontact::NUM_ORIGINS, "one row of power per origin");
