@@ -177,8 +177,9 @@ def read_so_far(file):
 
 
 def reached(found, tolerance):
-    viscosity = found["viscosity"]
-    return viscosity.error <= tolerance * abs(viscosity.mean) and found["sxy"].independent >= INDEPENDENT
+    """Is the error small enough, and of enough independent samples of what fluctuates, the stress or the rate?"""
+    viscosity, independent = found["viscosity"], min(found["sxy"].independent, found["gamma_dot"].independent)
+    return viscosity.error <= tolerance * abs(viscosity.mean) and independent >= INDEPENDENT
 
 
 def judge(data, args, planned):

@@ -25,15 +25,18 @@ rate, noise, random.seed = float(var["rate"]), 0.0, random.seed(float(var["rate"
 with open("stress.txt", "w") as file:
     file.write("# stresses over 2.5, viscosity of the fluid 2\\n# TimeStep v_gamma v_gamma_dot v_phi_now v_sxy\\n")
     for line in range(1, int(float(var.get("ends", var["strain"])) / 0.02) + 2):
-        noise = 0.8 * noise + 0.6 * random.gauss(0, 1)
-        stress = 12 * rate**0.5 * 2 / 2.5 * (1 + 0.3 * noise + 2 * 2.718**(-line / 10))
-        file.write(f"{{100 * line}} {{0.02 * line}} {{rate}} 0.5 {{stress}}\\n")
+        memory = 0.8 if var.get("imposed") != "stress" else 0.98
+        noise = memory * noise + (1 - memory**2)**0.5 * random.gauss(0, 1)
+        flow, stress = rate, 12 * rate**0.5 * 2 / 2.5 * (1 + 0.3 * noise + 2 * 2.718**(-line / 10))
+        if var.get("imposed") == "stress":
+            flow, stress = rate * (1 + 0.1 * noise), 12 * rate**0.5 * 2 / 2.5 + random.gauss(0, 1e-6)
+        file.write(f"{{100 * line}} {{0.02 * line}} {{flow}} 0.5 {{stress}}\\n")
         if line % 100 == 0:
             file.flush()
             time.sleep(0.004)
 open("ended", "w")
 '''
-DECK = "variable rate index 1\nvariable strain index 3\nvariable ends index 1\nvariable fault index 0\n" \
+DECK = "variable imposed index rate\nvariable rate index 1\nvariable strain index 3\nvariable ends index 1\nvariable fault index 0\n" \
        "include ${scene}/stress.lmp\n"
 
 
@@ -78,6 +81,12 @@ class FlowCurves(unittest.TestCase):
             self.assertFalse((run / "ended").exists(), "ran to its end")
         self.assertGreater((self.folder / "curve.png").stat().st_size, 1e4)
 
+    def test_slow_rate_under_a_stress(self):
+        code, text, rows = self.curve("rate", "1", "--set", "imposed=stress", "--tolerance", "0.2", "--max-strain", "400")
+        self.assertEqual((code, rows["1"]["outcome"]), (0, "tolerance"), text)
+        self.assertGreater(float(rows["1"]["strain"]), 12)    # ten times the correlation length of 2, but for its scatter
+        self.assertLess(abs(float(rows["1"]["viscosity"]) - 12), 4 * float(rows["1"]["viscosity_error"]))
+
     def test_result_does_not_depend_on_when_one_looks(self):
         words = ("rate", "1", "--tolerance", "0.05", "--max-strain", "400")
         first = self.curve(*words, wait="0.002")[2]["1"]
@@ -119,8 +128,8 @@ class FlowCurves(unittest.TestCase):
 
     def test_refusals_say_what_to_write(self):
         for words, deck, message in (
-                (("rat", "1"), None, "no index variable rat, but rate strain ends fault output sampling"),
-                (("rate", "1", "--set", "phy=0.5"), None, "no index variable phy, but rate"),
+                (("rat", "1"), None, "no index variable rat, but imposed rate strain ends fault output sampling"),
+                (("rate", "1", "--set", "phy=0.5"), None, "no index variable phy, but imposed rate"),
                 (("rate", "1", "--set", "rate=2"), None, "differ from run to run"),
                 (("rate", "1", "--set", "phi"), None, "write NAME=VALUE"),
                 (("rate", "fast"), None, "rate fast: not a number"),
