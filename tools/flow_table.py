@@ -71,6 +71,8 @@ def draw(rows, name):
             ax.plot(x[~good], y[~good], "o", ms=5, mfc="white", color=f"C{number}")
     axes[0].set(xscale="log", yscale="log", xlabel=r"rate $\dot\gamma$", ylabel=r"stress $\sigma_{xy}$")
     axes[1].set(xscale="log", yscale="log", ylabel=r"viscosity $\sigma_{xy}/(\eta_f\dot\gamma)$")
+    for ax in axes:
+        ax.tick_params(which="both", labelsize=8)
     for ax in axes[1:]:
         names = dict.fromkeys(row["variable"] for mine in lines.values() for row in mine)
         ax.set(xlabel=" / ".join(names), xscale="log")
