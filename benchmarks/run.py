@@ -105,7 +105,7 @@ def build_kernel(build):
                           capture_output=True, text=True)
     program = build / "benchmarks/kernel_benchmark"
     if made.returncode or not program.exists():
-        print("no kernel_benchmark: is Google Benchmark installed?", file=sys.stderr)
+        print("no kernel_benchmark: run tools/setup.sh --tests first; it needs Google Benchmark", file=sys.stderr)
         return None
     return program
 

@@ -4,6 +4,7 @@
 # The other way, as a package of the tree: copy src/SUSPENSION to <lammps>/src/SUSPENSION, add its name to the list
 # STANDARD_PACKAGES, and configure LAMMPS with -D PKG_SUSPENSION=on (ignored silently without the name in the list):
 #   sed -i 's/^  TALLY$/  SUSPENSION\n  TALLY/' <lammps>/cmake/CMakeLists.txt
+# -D SUSPENSION_COMPILE_OPTIONS=... is added for our files only.
 # With -march=native or the like add -ffp-contract=off to CMAKE_CXX_FLAGS, or a restart is exact to rounding only.
 
 get_filename_component(SUSPENSION_DIR ${CMAKE_CURRENT_LIST_DIR}/../src/SUSPENSION ABSOLUTE)
@@ -18,7 +19,9 @@ function(suspension_add_sources)
   file(GLOB ours CONFIGURE_DEPENDS ${SUSPENSION_DIR}/[^.]*.cpp)
   target_sources(lammps PRIVATE ${ours})
   # as in our CMakeLists.txt
-  set_property(SOURCE ${ours} APPEND PROPERTY COMPILE_OPTIONS -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  set_property(SOURCE ${ours} APPEND PROPERTY COMPILE_OPTIONS -ffp-contract=off -fno-math-errno -fno-trapping-math
+    ${SUSPENSION_COMPILE_OPTIONS})
+  set_property(SOURCE ${ours} PROPERTY SKIP_PRECOMPILE_HEADERS ON)    # those are LAMMPS' own
   set_property(SOURCE ${ours} APPEND PROPERTY COMPILE_DEFINITIONS SUSPENSION_UNFUSED)
   # optional, for pair_style lubcontact ... voronoi; Debian: voro++-dev
   find_path(VOROPP_INCLUDE_DIR voro++/voro++.hh)

@@ -33,9 +33,10 @@ lock() {
   flock -n 9 || { say "waiting for another set-up to finish"; flock 9; }
 }
 
-# Adds to args of cmake. Objects serve any folder below this one, whatever its absolute path.
+# Adds to args of cmake. Objects serve any folder below this one, whatever its absolute path, with -Werror or without.
 use_ccache() {
   command -v ccache >/dev/null || return 0
+  export CCACHE_IGNOREOPTIONS=-Werror
   export CCACHE_DIR=$cache/ccache CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
   args+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
 }
@@ -47,9 +48,29 @@ quietly() {
   "$@" >"$log" 2>&1 || { tail -n 40 "$log" >&2; die "failed: $* (all of it: $log)"; }
 }
 
-# Progress on a terminal; elsewhere only what fails.
+# How far ninja is, every ten seconds: the last [done/all] in its log. In the background of run_ninja.
+show_progress() {
+  local what=$1 log=$2 begin=$SECONDS step
+  while sleep 10; do
+    step=$(grep -aoE '^\[[0-9]+/[0-9]+\]' "$log" | tail -n 1 || true)
+    say "$what ${step:-[...]} after $((SECONDS - begin)) s"
+  done
+}
+
+# usage: run_ninja WHAT FOLDER [TARGET...]     all of its output goes to FOLDER/build.log
 run_ninja() {
-  if [ -t 1 ]; then ninja -C "$1" -j "$(nproc)"; else ninja -C "$1" -j "$(nproc)" --quiet; fi
+  local what=$1 folder=$2 code=0 watcher
+  shift 2
+  : >"$folder/build.log"
+  show_progress "$what" "$folder/build.log" 9>&- &
+  watcher=$!
+  NINJA_STATUS='[%f/%t] ' ninja -C "$folder" -j "$(nproc)" "$@" >>"$folder/build.log" 2>&1 || code=$?
+  kill "$watcher" 2>/dev/null || true
+  wait "$watcher" 2>/dev/null || true
+  if [ "$code" != 0 ]; then
+    grep -avE '^\[[0-9]+/[0-9]+\]' "$folder/build.log" | head -n 60 >&2
+    die "$what: build failed (all of it: $folder/build.log)"
+  fi
 }
 
 # The first Python that has what decks and figures need.

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Build LAMMPS with our styles compiled in (no plugin) and check that it knows them.
+# Build LAMMPS with our styles compiled in (no plugin) and check that it knows them. Our files without optimization, for
+# it is about includes, symbols and names: the plugin's build has the same files optimized.
 # usage: tools/compiled_in.sh
 set -euo pipefail
 # shellcheck source=tools/common.sh
@@ -7,7 +8,8 @@ source "$(dirname "$0")/common.sh"
 
 folder=$cache/lammps-$version/build-compiled-in
 rm -f "$folder/finished"    # our sources change: always look again
-"$top/tools/build_lammps.sh" "$folder" -D CMAKE_PROJECT_lammps_INCLUDE="$top/cmake/suspension_in_lammps.cmake"
+"$top/tools/build_lammps.sh" "$folder" \
+  -D CMAKE_PROJECT_lammps_INCLUDE="$top/cmake/suspension_in_lammps.cmake" -D SUSPENSION_COMPILE_OPTIONS=-O0
 
 help=$(LAMMPS_PLUGIN_PATH='' "$folder/lmp" -h)
 grep -hE '^(Pair|Fix|Compute|Command)Style\(' "$top"/src/SUSPENSION/*.h | sed 's/.*(\(.*\),.*/\1/' | grep -v '^[A-Z]' | while read -r style; do

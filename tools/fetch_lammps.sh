@@ -1,5 +1,5 @@
 #!/bin/bash
-# Fetch and unpack the sources of a LAMMPS release.
+# Fetch and unpack the sources of a LAMMPS release, if they are not there yet.
 # usage: tools/fetch_lammps.sh VERSION FOLDER        for example 4Feb2025 /tmp/lammps
 #
 # They come from the Debian archive this machine's own apt is configured for: apt verifies the signed index and, with
@@ -15,6 +15,8 @@ case $version in    # Debian suite, version there, SHA256 of the tarball
   4Jul2026) suite=forky debian=20260704 sha256=cddbc45a047416bd48a4a0b87f24a5b61b3446982b74d18cafe619c22b17eb62 ;;
   *) die "LAMMPS $version is not one of 4Feb2025, 4Jul2026; for your own set LAMMPS_SOURCE_DIR and LAMMPS_EXECUTABLE" ;;
 esac
+lock "$folder.lock"
+if [ -e "$folder" ]; then exit 0; fi
 work=$folder.part    # everything happens here; the finished tree is moved to its place as the last step
 mkdir -p "$work"
 

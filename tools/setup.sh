@@ -1,12 +1,19 @@
 #!/bin/bash
-# Set everything up: Debian packages, LAMMPS, plugin, tests. Run it as often as you like, what is done is kept.
-# usage: tools/setup.sh      (see tools/common.sh for the environment variables)
+# Set everything up: Debian packages, LAMMPS, plugin. Run it as often as you like, what is done is kept.
+# usage: tools/setup.sh [--tests]      (see tools/common.sh for the environment variables)
+#   --tests   build what the tests need, too; warnings are errors
 set -euo pipefail
 # shellcheck source=tools/common.sh
 source "$(dirname "$0")/common.sh"
 
 packages="g++ make cmake ninja-build ccache libopenmpi-dev openmpi-bin python3 python3-numpy python3-scipy
-  python3-matplotlib python3-pil libgtest-dev libbenchmark-dev voro++-dev valgrind xz-utils curl ca-certificates"
+  python3-matplotlib python3-pil voro++-dev xz-utils curl ca-certificates"
+tests=OFF
+case "$#:${1:-}" in
+  0:) ;;
+  1:--tests) tests=ON packages="$packages libgtest-dev libbenchmark-dev valgrind" ;;
+  *) die "unknown arguments: $*; usage: tools/setup.sh [--tests]" ;;
+esac
 
 # SUSPENSION_SKIP_PACKAGES=1: trust that compiler, MPI and so on come from elsewhere (modules of a cluster, conda).
 install_packages() {
@@ -36,11 +43,17 @@ check_own_lammps() {
   if grep -q LAMMPS_BIGBIG <<<"$help"; then sizes=bigbig; fi
 }
 
+# A build folder that has been set up for tests stays so: without --tests only less of it is built.
 build_plugin() {
-  local python
+  local python what="plugin and tests" configured=ON targets=()
   python=$(find_python)
+  if [ "$tests" = OFF ]; then
+    what=plugin targets=(suspensionplugin)
+    grep -qs '^SUSPENSION_TESTS:BOOL=ON' "$build/CMakeCache.txt" || configured=OFF
+  fi
   local args=(-G Ninja -D LAMMPS_SOURCE_DIR="$lammps_source" -D LAMMPS_EXECUTABLE="$lammps_executable"
     -D LAMMPS_SIZES="$sizes" -D Python3_EXECUTABLE="$python"
+    -D SUSPENSION_TESTS="$configured" -D SUSPENSION_WERROR="$configured"
     -D SUSPENSION_LAMMPS="$version" -D SUSPENSION_CACHE="$cache")
   use_ccache "$top"
   lock "$build/lock"
@@ -48,11 +61,24 @@ build_plugin() {
     quietly "$build/configure.log" cmake -S "$top" -B "$build" "${args[@]}"
     echo "${args[*]}" >"$build/configured"
   fi
-  run_ninja "$build"
+  run_ninja "$what" "$build" "${targets[@]}"
 }
 
 install_packages
 sizes=smallbig
-if [ "$version" = own ]; then check_own_lammps; else "$top/tools/build_lammps.sh" "$cache/lammps-$version/build"; fi
-build_plugin
+if [ "$version" = own ]; then
+  check_own_lammps
+  build_plugin
+else
+  # Side by side: the plugin needs LAMMPS' headers only. The job gets a process group, to be stopped as a whole.
+  "$top/tools/fetch_lammps.sh" "$version" "$lammps_source"
+  set -m
+  "$top/tools/build_lammps.sh" "$cache/lammps-$version/build" &
+  lammps=$!
+  set +m
+  trap 'kill -- "-$lammps" 2>/dev/null || true' EXIT
+  build_plugin
+  wait "$lammps"
+  trap - EXIT
+fi
 say "ready: $build/suspensionplugin.so for $lammps_executable"

@@ -4,5 +4,5 @@
 set -euo pipefail
 # shellcheck source=tools/common.sh
 source "$(dirname "$0")/common.sh"
-"$top/tools/setup.sh"
+"$top/tools/setup.sh" --tests
 exec ctest --test-dir "$build" --output-on-failure -j "$(nproc)" "$@"

@@ -351,6 +351,13 @@ class Files(Case):
             np.testing.assert_array_equal(data["TimeStep"], [0, 100, 200])
             np.testing.assert_array_equal(data["v_a"], [1, 5, 6])
 
+    def test_what_is_no_continuation_is_refused(self):
+        first = HEADER + "100 1 1\n200 2 2\n300 3 3\n"
+        self.assertEqual(len(self.read(first + HEADER + "500 5 5\n600 6 6\n")["TimeStep"]), 5)    # a window was cut
+        for appended in ("600 6 6\n700 7 7\n", "350 3 3\n400 4 4\n", "400 4 4\n550 5 5\n", "290 2 2\n380 3 3\n"):
+            with self.assertRaisesRegex(ValueError, "not one run and its continuation"):
+                self.read(first + HEADER + appended)
+
     def test_refusals_say_why(self):
         for text, why in ((HEADER, "no complete line"), ("", "no complete line"), (HEADER + "0 1 x\n", "line 3"),
                           ("0 1 2\n", "line 1"), (HEADER + "0 1 2\n# TimeStep v_a\n", "columns change"),
