@@ -12,4 +12,5 @@ if [ "${1:-}" = -n ]; then
 fi
 if [ ! -x "$lammps_executable" ] || [ ! -f "$build/suspensionplugin.so" ]; then die "run tools/setup.sh first"; fi
 export LAMMPS_POTENTIALS=$top/potentials${LAMMPS_POTENTIALS:+:$LAMMPS_POTENTIALS}
+export SUSPENSION_EXAMPLES=$top/examples    # where examples/scene/suspension.lmp finds the packing
 exec "$top/tools/mpirun.sh" "$ranks" "$lammps_executable" "$@"

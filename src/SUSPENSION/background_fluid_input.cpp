@@ -15,6 +15,7 @@
 #include "error.h"
 #include "fix.h"
 #include "input.h"
+#include "missing_argument.h"
 #include "variable.h"
 
 #include <cstring>
@@ -24,10 +25,18 @@ using namespace LAMMPS_NS;
 
 static constexpr int FEW_PARTNERS = 3;
 
-// number of values of each keyword; isolated and spin are special
-static const std::map<std::string, int> KEYWORDS = {
-    {"shear", 1},    {"cell", 0}, {"plates", 1}, {"couette", 4},   {"poiseuille", 3},
-    {"velocity", 3}, {"spin", 3}, {"shape", 1},  {"hindrance", 1}, {"isolated", 0}};
+// values of each keyword; isolated may have one
+static const std::map<std::string, std::string> KEYWORDS = {
+    {"shear", "rate"},
+    {"cell", ""},
+    {"plates", "fix-ID"},
+    {"couette", "y_low v_low y_high v_high"},
+    {"poiseuille", "y_low y_high v_most"},
+    {"velocity", "vx vy vz"},
+    {"spin", "wx wy wz"},
+    {"shape", "sphere|disc"},
+    {"hindrance", "none|mean|phi|factor"},
+    {"isolated", ""}};
 
 /* ---------------------------------------------------------------------- */
 
@@ -37,7 +46,7 @@ BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, int narg, char **arg) 
     rule(CONSTANT), isolated(0), viscosity(0.0),
     factor(1.0), couette{0.0, 0.0, 0.0, 0.0}, poiseuille{0.0, 0.0, 0.0}
 {
-  if (narg < 4) utils::missing_cmd_args(FLERR, "fix " + style, error);
+  require_words(FLERR, error, "fix " + style, narg + 1, "fix ID group " + style + " eta ...");
   hindered.value = 1.0;
   words = utils::join_words(std::vector<std::string>(arg + 3, arg + narg), " ");
   if (strcmp(arg[3], "pair") == 0)
@@ -63,8 +72,7 @@ void BackgroundFluid::parse(int narg, char **arg)
     const auto known = KEYWORDS.find(key);
     if (known == KEYWORDS.end())
       error->all(FLERR, iarg, "Unknown fix {} keyword: {}", style, arg[iarg]);
-    if (iarg + known->second >= narg)
-      utils::missing_cmd_args(FLERR, "fix " + style + " " + key, error);
+    require_words(FLERR, error, "fix " + style, narg - iarg, key + " " + known->second);
     if (places.count(key)) error->all(FLERR, iarg, "Fix {} {} is given twice", style, key);
     places[key] = iarg;
     const auto flow = PROFILES.find(key);
@@ -111,7 +119,7 @@ void BackgroundFluid::parse_profile(Profile which, char **arg, int &iarg, std::s
                arg[iarg]);
   found = arg[iarg];
   profile = which;
-  const int values = KEYWORDS.at(found);
+  const int values = static_cast<int>(utils::count_words(KEYWORDS.at(found)));
   if (profile == PLATES)
     plates_id = arg[iarg + 1];
   else if (profile == VELOCITY)
@@ -153,7 +161,7 @@ void BackgroundFluid::parse_hindrance(int narg, char **arg, int &iarg)
   }
   int place = iarg - 1;
   if (strcmp(word, "phi") == 0) {
-    if (iarg >= narg) utils::missing_cmd_args(FLERR, "fix " + style + " hindrance phi", error);
+    require_words(FLERR, error, "fix " + style, narg - iarg + 2, "hindrance phi f");
     rule = FRACTION;
     place = iarg++;
   }

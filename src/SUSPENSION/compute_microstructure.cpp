@@ -19,6 +19,7 @@
 #include "lubcontact_fabric.h"
 #include "lubcontact_orientation.h"
 #include "memory.h"
+#include "missing_argument.h"
 #include "update.h"
 
 #include <cstring>
@@ -58,8 +59,8 @@ void ComputeMicrostructure::read_mode(int narg, char **arg)
     mode = FABRIC;
   } else if (word == "forces") {
     mode = FORCES;
-    bins = read_count(4, narg, arg);
-    if (narg < 6) utils::missing_cmd_args(FLERR, "compute microstructure forces", error);
+    require_words(FLERR, error, "compute microstructure", narg - 3, "forces N hi");
+    bins = read_count(4, arg);
     largest = utils::numeric(FLERR, arg[5], false, lmp);
     if (!(largest > 0.0))
       error->all(FLERR, 5,
@@ -69,7 +70,8 @@ void ComputeMicrostructure::read_mode(int narg, char **arg)
     next = 6;
   } else if (word == "angle") {
     mode = ANGLE;
-    directions->azimuths = read_count(4, narg, arg);
+    require_words(FLERR, error, "compute microstructure", narg - 3, "angle N ...");
+    directions->azimuths = read_count(4, arg);
     next = 5;
   } else if (word == "sphere") {
     mode = SPHERE;
@@ -77,8 +79,9 @@ void ComputeMicrostructure::read_mode(int narg, char **arg)
       error->all(FLERR, 3,
                  "Compute microstructure sphere needs three dimensions; use: angle {} in 2d",
                  narg > 5 ? arg[5] : "N");
-    directions->heights = read_count(4, narg, arg);
-    directions->azimuths = read_count(5, narg, arg);
+    require_words(FLERR, error, "compute microstructure", narg - 3, "sphere Nh Na ...");
+    directions->heights = read_count(4, arg);
+    directions->azimuths = read_count(5, arg);
     next = 6;
   } else {
     error->all(FLERR, 3,
@@ -94,10 +97,8 @@ void ComputeMicrostructure::read_mode(int narg, char **arg)
 
 /* ---------------------------------------------------------------------- */
 
-int ComputeMicrostructure::read_count(int iarg, int narg, char **arg) const
+int ComputeMicrostructure::read_count(int iarg, char **arg) const
 {
-  if (iarg >= narg)
-    utils::missing_cmd_args(FLERR, std::string("compute microstructure ") + arg[3], error);
   const int n = utils::inumeric(FLERR, arg[iarg], false, lmp);
   if (n < 1)
     error->all(FLERR, iarg, "Compute microstructure {}: number of bins must be >= 1, but is {}",
@@ -120,7 +121,8 @@ void ComputeMicrostructure::read_directions(int iarg, int narg, char **arg)
     const std::string key = arg[iarg];
     if (key != "plane" && key != "band" && key != "stress")
       error->all(FLERR, iarg, "Unknown compute microstructure {} keyword: {}", arg[3], key);
-    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "compute microstructure " + key, error);
+    require_words(FLERR, error, "compute microstructure", narg - iarg,
+                  key + (key == "plane" ? " xy|xz|yz" : " value"));
     const std::string value = arg[iarg + 1];
     if (key == "plane") {
       if (value != "xy" && value != "xz" && value != "yz")

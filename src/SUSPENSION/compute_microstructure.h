@@ -56,7 +56,7 @@ class ComputeMicrostructure : public Compute {
 
   void read_mode(int, char **);
   void read_directions(int, int, char **);
-  int read_count(int, int, char **) const;
+  int read_count(int, char **) const;
   void set_output();
   template <class Visit> void visit(Visit);
   void sum_over_ranks(std::vector<double> &) const;

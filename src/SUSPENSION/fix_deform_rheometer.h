@@ -113,7 +113,7 @@ class FixDeformRheometer : public FixDeform {
 
   int parse(int, int, char **, bool);
   int parse_drive(int, int, char **, bool);
-  void need_values(int, int, int, char **) const;
+  void need_values(const char *, int, int) const;
   int parse_flow(int, const char *) const;
   bool parse_lists(int, const char *) const;
   void check_directions() const;

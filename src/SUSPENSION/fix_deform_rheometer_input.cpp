@@ -14,6 +14,7 @@
 #include "error.h"
 #include "list_keeper.h"
 #include "memory.h"
+#include "missing_argument.h"
 #include "modify.h"
 #include "rheometer_flow.h"
 #include "rheometer_servo.h"
@@ -34,7 +35,8 @@ static constexpr int EVERY = 8;    // steps: far below the lag of the servos
 
 static std::vector<char *> parent_args(LAMMPS *lmp, int narg, char **arg)
 {
-  if (narg < 4) utils::missing_cmd_args(FLERR, "fix deform/rheometer", lmp->error);
+  require_words(FLERR, lmp->error, "fix deform/rheometer", narg + 1,
+                "fix ID group deform/rheometer rate|iv|stress|oscillate ...");
   std::string flow = "shear";
   for (int iarg = 3; iarg + 1 < narg; iarg++)
     if (strcmp(arg[iarg], "flow") == 0) flow = arg[iarg + 1];
@@ -95,15 +97,15 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
   double start = 0.0;
   for (int iarg = 3; iarg < narg;) {
     if (strcmp(arg[iarg], "flow") == 0) {
-      need_values(1, iarg, narg, arg);
+      need_values("flow shear|planar|uniaxial", iarg, narg);
       flow = parse_flow(iarg + 1, arg[iarg + 1]);
       iarg += 2;
     } else if (strcmp(arg[iarg], "start") == 0) {
-      need_values(1, iarg, narg, arg);
+      need_values("start g", iarg, narg);
       start = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
       iarg += 2;
     } else if (strcmp(arg[iarg], "every") == 0) {
-      need_values(1, iarg, narg, arg);
+      need_values("every n", iarg, narg);
       nevery = utils::inumeric(FLERR, arg[iarg + 1], false, lmp);
       if (nevery < 1)
         error->all(FLERR, iarg + 1, "Fix {} every must be > 0, but is {}", style, arg[iarg + 1]);
@@ -199,7 +201,7 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
     return iarg + 1;
   }
   if (key == "lists") {
-    need_values(1, iarg, narg, arg);
+    need_values("lists affine|lammps", iarg, narg);
     keeper->on = parse_lists(where, arg[iarg + 1]);
     return iarg + 2;
   }
@@ -210,7 +212,10 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
                    : "Fix {} {} cannot be changed by fix_modify; what can is: rate, iv, stress, "
                      "oscillate, pressure, volume, viscosity, gain, lists",
                style, key);
-  need_values(1, iarg, narg, arg);
+  need_values(key == "pressure"   ? "pressure P"
+                  : key == "gain" ? "gain K"
+                                  : "viscosity eta",
+              iarg, narg);
   if (key == "pressure") {
     set_confinement(PRESSURE);
     pressure = RheometerTarget(lmp, arg[iarg + 1]);
@@ -247,7 +252,11 @@ int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer
   if (pointer && drive != NONE_YET)
     error->all(FLERR, iarg, "Fix {} takes one of rate, iv, stress, oscillate; {} is one too many",
                style, key);
-  need_values(key == "oscillate" ? 3 : 1, iarg, narg, arg);
+  need_values(key == "oscillate"  ? "oscillate g0 g1 w"
+                  : key == "rate" ? "rate g"
+                  : key == "iv"   ? "iv v"
+                                  : "stress s",
+              iarg, narg);
   driven = RheometerTarget(lmp, arg[iarg + 1]);
   drive = key == "rate" ? RATE : key == "iv" ? IV : key == "stress" ? STRESS : OSCILLATE;
   amplitude = frequency = RheometerTarget();
@@ -260,10 +269,9 @@ int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer
 
 /* ---------------------------------------------------------------------- */
 
-void FixDeformRheometer::need_values(int n, int iarg, int narg, char **arg) const
+void FixDeformRheometer::need_values(const char *usage, int iarg, int narg) const
 {
-  if (iarg + n >= narg)
-    utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, arg[iarg]), error);
+  require_words(FLERR, error, std::string("fix ") + style, narg - iarg, usage);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -16,6 +16,7 @@
 #include "group.h"
 #include "input.h"
 #include "list_keeper.h"
+#include "missing_argument.h"
 #include "rheometer_plate.h"
 
 #include <cmath>
@@ -25,11 +26,15 @@ using namespace LAMMPS_NS;
 using rheometer::LOWER;
 using rheometer::UPPER;
 
-// number of values of each keyword
-static const std::map<std::string, int> KEYWORDS = {
-    {"rate", 1}, {"velocity", 1}, {"stress", 1},    {"oscillate", 3}, {"iv", 1},
-    {"gap", 0},  {"pressure", 1}, {"load", 1},      {"mass", 1},      {"damper", 1},
-    {"drag", 1}, {"gain", 1},     {"viscosity", 1}, {"lists", 1}};
+// values of each keyword
+static const std::map<std::string, std::string> KEYWORDS = {
+    {"rate", "g"},        {"velocity", "v"},
+    {"stress", "s"},      {"oscillate", "g0 g1 w"},
+    {"iv", "v"},          {"gap", ""},
+    {"pressure", "P"},    {"load", "P"},
+    {"mass", "m"},        {"damper", "c"},
+    {"drag", "c"},        {"gain", "K"},
+    {"viscosity", "eta"}, {"lists", "affine|lammps"}};
 
 // where each keyword of one command stands
 struct FixRheometerPlates::Places : std::map<std::string, int> {};
@@ -45,7 +50,8 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
 {
   force_reneighbor = 1;
   next_reneighbor = -1;
-  if (narg < 5) utils::missing_cmd_args(FLERR, "fix rheometer/plates", error);
+  require_words(FLERR, error, "fix rheometer/plates", narg + 1,
+                "fix ID group rheometer/plates lower upper ...");
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "Fix rheometer/plates needs finite-size spheres; use: atom_style sphere");
   for (int plate : {LOWER, UPPER}) {
@@ -102,8 +108,7 @@ int FixRheometerPlates::parse(int narg, char **arg, int iarg)
     const std::string key = arg[iarg];
     const auto known = KEYWORDS.find(key);
     if (known == KEYWORDS.end()) break;
-    if (iarg + known->second >= narg)
-      utils::missing_cmd_args(FLERR, "fix rheometer/plates " + key, error);
+    require_words(FLERR, error, "fix rheometer/plates", narg - iarg, key + " " + known->second);
     if (places.count(key))
       error->all(FLERR, place(arg, iarg), "Fix rheometer/plates {} is given twice", key);
     places[key] = iarg;
@@ -112,7 +117,7 @@ int FixRheometerPlates::parse(int narg, char **arg, int iarg)
     for (int n = 0; n < 3; n++)
       if (key == LOAD_NAME[n]) parse_load(n, arg, iarg);
     parse_number(key, arg, iarg);
-    iarg += 1 + known->second;
+    iarg += 1 + static_cast<int>(utils::count_words(known->second));
   }
   check_combination(places, arg);
   return iarg;

@@ -17,18 +17,31 @@
 #include "input.h"
 #include "lubcontact_pair.h"
 #include "memory.h"
+#include "missing_argument.h"
 #include "modify.h"
 #include "update.h"
 #include "variable.h"
 
 #include <cmath>
 #include <cstring>
+#include <map>
 
 using namespace LAMMPS_NS;
 using lubcontact::FRICTION_NAME;
 using lubcontact::FrictionLaw;
 
 static constexpr const char *MODE_NAME[4] = {"squeeze", "shear", "roll", "twist"};
+
+// keywords and their values
+static const std::map<std::string, std::string> SETTINGS = {
+    {"squeeze", "yes|no"},       {"shear", "yes|no"}, {"roll", "yes|no"},
+    {"twist", "yes|no"},         {"rollcoeff", "c"},  {"radius", "harmonic|mean"},
+    {"gap", "exponential|euler"}};
+static const std::map<std::string, std::string> COEFFICIENTS = {{"roughness", "eps"},
+                                                                {"asperity", "k"},
+                                                                {"friction", "none|coulomb|clm"},
+                                                                {"adhesion", "delta"},
+                                                                {"repulsion", "F0 lambda"}};
 
 // Where this word is in the command, for the mark under it: hybrid shifts words, a data file has no command.
 static int place(const Input *input, const char *word)
@@ -96,7 +109,7 @@ int PairLubcontact::set_range(int narg, char **arg)
         rule);
   if (range_rule == static_cast<int>(lubcontact::Range::VORONOI)) require_voronoi(2);
 
-  if (narg < 3) utils::missing_cmd_args(FLERR, "pair_style lubcontact " + rule, error);
+  require_words(FLERR, error, "pair_style lubcontact", narg - 1, rule + " hc ...");
   hc = utils::numeric(FLERR, arg[2], false, lmp);
   if (!(hc > 0.0))
     error->all(FLERR, 3, "Pair style lubcontact range must be > 0 effective radii, but is {}", hc);
@@ -109,7 +122,8 @@ int PairLubcontact::set_range(int narg, char **arg)
 
 void PairLubcontact::settings(int narg, char **arg)
 {
-  if (narg < 2) utils::missing_cmd_args(FLERR, "pair_style lubcontact", error);
+  require_words(FLERR, error, "pair_style lubcontact", narg + 2,
+                "pair_style lubcontact eta default|cut|shifted|voronoi ...");
 
   dt_limit = 0.0;
   delete[] eta_name;
@@ -133,7 +147,10 @@ void PairLubcontact::settings(int narg, char **arg)
 
   for (int iarg = first; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
-    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "pair_style lubcontact " + key, error);
+    const auto known = SETTINGS.find(key);
+    if (known == SETTINGS.end())
+      error->all(FLERR, iarg + 1, "Unknown pair_style lubcontact keyword: {}", key);
+    require_words(FLERR, error, "pair_style lubcontact", narg - iarg, key + " " + known->second);
     const std::string value = arg[iarg + 1];
     int which = -1;
     for (int m = 0; m < 4; m++)
@@ -153,14 +170,12 @@ void PairLubcontact::settings(int narg, char **arg)
                    "Pair style lubcontact radius must be mean or harmonic, but is {}", value);
       radius_rule = static_cast<int>(value == "mean" ? lubcontact::Radius::MEAN
                                                      : lubcontact::Radius::HARMONIC);
-    } else if (key == "rollcoeff") {
+    } else {
       roll_coeff = utils::numeric(FLERR, value, false, lmp);
       roll_coeff_given = true;
       if (!(roll_coeff >= 0.0))
         error->all(FLERR, iarg + 2, "Pair style lubcontact rollcoeff must be >= 0, but is {}",
                    roll_coeff);
-    } else {
-      error->all(FLERR, iarg + 1, "Unknown pair_style lubcontact keyword: {}", key);
     }
   }
 
@@ -195,10 +210,12 @@ FrictionLaw PairLubcontact::friction_law(int iarg, int narg, char **arg) const
 
 void PairLubcontact::coeff(int narg, char **arg)
 {
-  if (narg < 4) utils::missing_cmd_args(FLERR, "pair_coeff", error);
+  const bool by_name = narg > 2 && !utils::is_double(arg[2]);
+  require_words(FLERR, error, "pair_coeff", narg + 1,
+                by_name ? "pair_coeff * * file name1 ..." : "pair_coeff I J g kt ...");
   if (!allocated) allocate();
   dt_limit = 0.0;
-  if (!utils::is_double(arg[2])) return materials(narg, arg);
+  if (by_name) return materials(narg, arg);
 
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
@@ -221,7 +238,10 @@ void PairLubcontact::coeff(int narg, char **arg)
 
   for (int iarg = 4; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
-    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "pair_coeff lubcontact " + key, error);
+    const auto known = COEFFICIENTS.find(key);
+    if (known == COEFFICIENTS.end())
+      error->all(FLERR, place(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}", key);
+    require_words(FLERR, error, "pair_coeff", narg - iarg, key + " " + known->second);
     if (key == "roughness") {
       roughness_one = number(iarg + 1, "roughness", true);
       if (roughness_one >= hc)
@@ -233,11 +253,10 @@ void PairLubcontact::coeff(int narg, char **arg)
     } else if (key == "friction") {
       law_one = friction_law(iarg, narg, arg);
       const int words = law_one == FrictionLaw::NONE ? 0 : law_one == FrictionLaw::COULOMB ? 1 : 3;
-      if (iarg + 1 + words >= narg)
-        utils::missing_cmd_args(FLERR,
-                                fmt::format("pair_coeff lubcontact friction {}",
-                                            FRICTION_NAME[static_cast<int>(law_one)]),
-                                error);
+      const char *values[] = {"", " mu", "", " mu F"};
+      require_words(
+          FLERR, error, "pair_coeff", narg - iarg,
+          fmt::format("friction {}{}", FRICTION_NAME[static_cast<int>(law_one)], values[words]));
       friction_one = critical_one = 0.0;
       if (words == 1) friction_one = number(iarg + 2, "coefficient of friction", true);
       if (words == 3) {
@@ -248,14 +267,10 @@ void PairLubcontact::coeff(int narg, char **arg)
     } else if (key == "adhesion") {
       adhesion_word = iarg + 1;
       adhesion_one = number(adhesion_word, "adhesion", true);
-    } else if (key == "repulsion") {
-      if (iarg + 2 >= narg)
-        utils::missing_cmd_args(FLERR, "pair_coeff lubcontact repulsion", error);
+    } else {
       repulsion_one = number(iarg + 1, "repulsion", true);
       screening_one = number(iarg + 2, "screening length", false);
       iarg++;
-    } else {
-      error->all(FLERR, place(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}", key);
     }
   }
 

@@ -17,11 +17,13 @@
 #include "error.h"
 #include "input.h"
 #include "lubcontact_material_file.h"
+#include "missing_argument.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 
 using namespace LAMMPS_NS;
 using lubcontact::Elastic;
@@ -80,7 +82,6 @@ class MaterialCommand : protected Pointers {
 
   double number(int iarg, const char *name) const
   {
-    if (iarg >= narg) utils::missing_cmd_args(FLERR, std::string("pair_coeff ") + name, error);
     const double value = utils::numeric(FLERR, arg[iarg], false, lmp);
     if (!(value > 0.0) || !std::isfinite(value))
       error->all(FLERR, at(iarg), "Pair style lubcontact {} must be > 0, but is {}", name,
@@ -90,11 +91,16 @@ class MaterialCommand : protected Pointers {
   bool unit_scale(UnitScale &) const;
 };
 
-// Keywords of this form of the command; all others belong to coeff().
+// Keywords of this form of the command, and how they are written; all others belong to coeff().
+const std::map<std::string, std::string> OPTIONS = {{"radius", "radius R ..."},
+                                                    {"modulus", "modulus E"},
+                                                    {"soften", "soften f"},
+                                                    {"load", "load F"},
+                                                    {"scale", "scale M L T"}};
+
 bool is_option(const std::string &word)
 {
-  return word == "radius" || word == "modulus" || word == "soften" || word == "load" ||
-      word == "scale";
+  return OPTIONS.count(word) != 0;
 }
 
 /* ----------------------------------------------------------------------
@@ -170,7 +176,9 @@ void MaterialCommand::materials(const MaterialFile &file, std::vector<Type> &typ
                "Pair_coeff needs one material or NULL for each of the {} atom types, but has {}",
                ntypes, given);
   for (int i = 1; i <= ntypes; i++) types[i].material = file.find(arg[2 + i]);
-  if (std::none_of(types.begin(), types.end(), [](const Type &t) { return t.material; }))
+  if (std::none_of(types.begin(), types.end(), [](const Type &t) {
+        return t.material;
+      }))
     error->all(FLERR, at(3), "Pair_coeff gives nothing: NULL stands for all {} atom types", ntypes);
 }
 
@@ -208,6 +216,7 @@ Options MaterialCommand::options(int first) const
   int iarg = first;
   while (iarg < narg && is_option(arg[iarg])) {
     const std::string key = arg[iarg];
+    require_words(FLERR, error, "pair_coeff", narg - iarg, OPTIONS.at(key));
     if (key == "radius") {
       o.radius.assign(1, number(iarg + 1, "radius"));
       for (iarg += 2; iarg < narg && utils::is_double(arg[iarg]); iarg++)

@@ -91,6 +91,12 @@ void PairLubcontact::check_pair(int i, int j) const
                "asperity {} roughness {} friction {} critical load {} repulsion {}",
                i, j, g[i][j], kt[i][j], asperity[i][j], roughness[i][j], friction[i][j],
                critical[i][j], repulsion[i][j]);
+  if (adhesion[i][j] > 0.0 && roughness[i][j] == 0.0)
+    error->all(
+        FLERR,
+        "Pair style lubcontact adhesion of types {} {} is of asperities, but their roughness "
+        "is now 0",
+        i, j);
   if (!law[i][j] && friction[i][j] > 0.0)
     error->all(FLERR,
                "Pair style lubcontact has no friction between types {} {} that could be changed: "

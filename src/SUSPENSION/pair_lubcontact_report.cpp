@@ -22,8 +22,10 @@
 #include "lubcontact_stiffness.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "pair_lubcontact_checks.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -166,6 +168,46 @@ double PairLubcontact::time_step_limit() const
   return all > 0.0 ? 2.0 / sqrt(all * force->ftm2v) : HUGE_VAL;
 }
 
+/* ----------------------------------------------------------------------
+   those with a radius; under hybrid others are points
+------------------------------------------------------------------------- */
+
+namespace {
+struct Particles {
+  double number, smallest, largest, mean;    // radii; 0 without particles
+  double density;                            // mean
+};
+
+Particles find_particles(LAMMPS *lmp)
+{
+  const Atom *atom = lmp->atom;
+  double mine[4] = {}, sum[4];                              // number, mass, radii, volume
+  double mine_most[2] = {-HUGE_VAL, -HUGE_VAL}, most[2];    // radius, minus radius
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double r = atom->radius[i];
+    if (r == 0.0) continue;
+    const double values[4] = {1.0, atom->rmass[i], r, 4.0 / 3.0 * lubcontact::PI * r * r * r};
+    for (int n = 0; n < 4; n++) mine[n] += values[n];
+    mine_most[0] = MAX(mine_most[0], r);
+    mine_most[1] = MAX(mine_most[1], -r);
+  }
+  MPI_Allreduce(mine, sum, 4, MPI_DOUBLE, MPI_SUM, lmp->world);
+  MPI_Allreduce(mine_most, most, 2, MPI_DOUBLE, MPI_MAX, lmp->world);
+  if (sum[0] == 0.0) return {};
+  return {sum[0], -most[1], most[0], sum[2] / sum[0], sum[1] / sum[3]};
+}
+
+std::string flow_text(const Particles &p, double rate, double eta, double g, double ftm2v)
+{
+  std::string text = fmt::format("  shear rate     {:.6g}, Ca = eta rate a/g = {:.3g}", rate,
+                                 eta * fabs(rate) * p.mean / g);
+  if (eta > 0.0)
+    text += fmt::format(", St = rho a^2 rate/eta = {:.3g}",
+                        p.density * p.mean * p.mean * fabs(rate) / (eta * ftm2v));
+  return text + ", a = mean radius\n";
+}
+}    // namespace
+
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::setup()
@@ -186,11 +228,15 @@ void PairLubcontact::setup()
                    "Time step {} exceeds {:.4g}, the stability limit of the contact springs in the "
                    "present state: reduce it, or soften the contact",
                    update->dt, limit);
+  lubcontact_checks::check_skin(lmp,
+                                *std::max_element(max_radius + 1, max_radius + atom->ntypes + 1));
   if (!reported) {
+    lubcontact_checks::check_hybrid(lmp, this);
+    lubcontact_checks::check_coefficients(lmp, this);
     check_motion();
     report(pairs, limit);
   }
-  reported = true;
+  reported = dt_limit_mass > 0.0;    // again when there are particles
 }
 
 /* ----------------------------------------------------------------------
@@ -240,45 +286,47 @@ void PairLubcontact::check_motion() const
 
 void PairLubcontact::report(double pairs, double limit)
 {
-  double mine[3] = {0.0, 0.0, 0.0}, most[3];    // largest radius, -smallest, density
-  mine[1] = -HUGE_VAL;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double r = atom->radius[i];
-    mine[0] = MAX(mine[0], r);
-    mine[1] = MAX(mine[1], -r);
-    mine[2] = MAX(mine[2], atom->rmass[i] / (4.0 / 3.0 * lubcontact::PI * r * r * r));
-  }
-  MPI_Allreduce(mine, most, 3, MPI_DOUBLE, MPI_MAX, world);
+  const Particles p = find_particles(lmp);
+  double softest = HUGE_VAL;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++)
+      if (g[i][j] != 0.0) softest = MIN(softest, g[i][j]);
   if (comm->me) return;
-  check_repulsion(-most[1]);
+  if (p.number > 0.0) check_repulsion(p.smallest);
 
-  auto yes = [](bool on) {
-    return on ? "yes" : "no";
+  auto state = [this](const char *effect, bool on, const std::string &more) {
+    const std::string idle = on ? lubcontact_checks::idle(lmp, this, effect) : "";
+    return !on ? "no" : idle.empty() ? "yes" + more : "not now: " + idle;
   };
   std::string text = "Pair style lubcontact: what this run simulates\n";
-  text += fmt::format("  squeeze film   {}{}\n", yes(mode[SQUEEZE]),
-                      mode[SQUEEZE] ? (euler ? ", gap euler" : ", gap exponential") : "");
-  text += fmt::format("  shear film     {}\n", yes(mode[SHEAR]));
-  text += fmt::format("  rolling film   {}{}\n", yes(mode[ROLL]),
-                      mode[ROLL] ? fmt::format(", coefficient {:.6g}", roll_coeff) : "");
-  text += fmt::format("  twisting film  {}\n", yes(mode[TWIST]));
-  text += fmt::format("  friction       {}\n", yes(mask & lubcontact::FRICTION));
-  text += fmt::format("  adhesion       {}\n", yes(mask & lubcontact::ADHESION));
-  text += fmt::format("  repulsion      {}\n", yes(mask & lubcontact::REPULSION));
+  text += fmt::format("  squeeze film   {}\n",
+                      state("squeeze", mode[SQUEEZE], euler ? ", gap euler" : ", gap exponential"));
+  text += fmt::format("  shear film     {}\n", state("shear", mode[SHEAR], ""));
+  text += fmt::format("  rolling film   {}\n",
+                      state("roll", mode[ROLL], fmt::format(", coefficient {:.6g}", roll_coeff)));
+  text += fmt::format("  twisting film  {}\n", state("twist", mode[TWIST], ""));
+  text += fmt::format("  friction       {}\n", state("friction", mask & lubcontact::FRICTION, ""));
+  text += fmt::format("  adhesion       {}\n", mask & lubcontact::ADHESION ? "yes" : "no");
+  text +=
+      fmt::format("  repulsion      {}\n", state("repulsion", mask & lubcontact::REPULSION, ""));
   text += fmt::format("  range          {} {:.6g} effective radii, radius {}\n",
                       lubcontact::RANGE_NAME[range_rule], hc, radius_rule ? "harmonic" : "mean");
   text += fmt::format("  viscosity      {:.6g}{}\n", eta,
                       eta_name ? fmt::format(" now, variable {}", eta_name)
                                : (eta == 0.0 ? ": dry grains" : ""));
-  text += fmt::format("  particles      {}, radius {:.6g} to {:.6g}, {:.6g} pairs in range, "
-                      "{} doubles of history a pair\n",
-                      atom->natoms, -most[1], most[0], pairs, size_history);
+  text += p.number == 0.0
+      ? std::string("  particles      none yet")
+      : fmt::format("  particles      {}, radius {:.6g} to {:.6g}, mean {:.6g}, {:.6g} pairs in "
+                    "range",
+                    p.number, p.smallest, p.largest, p.mean, pairs);
+  text += fmt::format(", {} doubles of history a pair\n", size_history);
   const int shown = MIN(atom->ntypes, 4);
   for (int i = 1; i <= shown; i++)
     for (int j = i; j <= shown; j++) {
       if (g[i][j] == 0.0) continue;
-      text += fmt::format("  types {} {}      g {:.6g} kt {:.6g} {}\n", i, j, g[i][j], kt[i][j],
-                          coeff_words(i, j, {}));
+      const bool rubs = friction[i][j] == 0.0 || lubcontact_checks::can_touch(this, i, j);
+      text += fmt::format("  types {} {}      g {:.6g} kt {:.6g} {}{}\n", i, j, g[i][j], kt[i][j],
+                          coeff_words(i, j, {}), rubs ? "" : ": smooth, does not rub");
     }
   if (shown < atom->ntypes) text += "  further types: see write_data pair ij\n";
   text += fmt::format("  time step      {:.6g}, ", update->dt);
@@ -286,15 +334,8 @@ void PairLubcontact::report(double pairs, double limit)
       ? fmt::format("{:.3g} of the stability limit {:.6g}\n", update->dt / limit, limit)
       : "without limit here: no pair in range of particles with inertia\n";
 
-  const double rate = shear_rate();
-  if (rate != 0.0) {
-    text += fmt::format("  shear rate     {:.6g}, Ca = eta rate a/g = {:.3g}", rate,
-                        eta * fabs(rate) * most[0] / g[1][1]);
-    if (eta > 0.0)
-      text += fmt::format(", St = rho a^2 rate/eta = {:.3g}",
-                          most[2] * most[0] * most[0] * fabs(rate) / (eta * force->ftm2v));
-    text += "\n";
-  }
+  if (shear_rate() != 0.0 && p.number > 0.0)
+    text += flow_text(p, shear_rate(), eta, softest, force->ftm2v);
   utils::logmesg(lmp, text);
 }
 

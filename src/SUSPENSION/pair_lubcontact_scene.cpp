@@ -69,6 +69,7 @@ void PairLubcontact::switch_on(const Laws &laws, double a)
   auto given = [](double x) {
     return !std::isnan(x);
   };
+  reported = true;    // not what the user asked for
   for (int &m : mode) m = 1;
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {

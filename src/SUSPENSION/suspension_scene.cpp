@@ -16,6 +16,7 @@
 #include "fix.h"
 #include "force.h"
 #include "group.h"
+#include "missing_argument.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
 #include "scene_verdict.h"
@@ -106,8 +107,7 @@ void SuspensionScene::parse(int narg, char **arg)
       error->all(FLERR, iarg, "Unknown suspension_scene keyword: {}; those that exist: {}",
                  arg[iarg], names);
     }
-    if (iarg + 1 >= narg)
-      utils::missing_cmd_args(FLERR, fmt::format("suspension_scene {}", arg[iarg]), error);
+    require_words(FLERR, error, "suspension_scene", narg - iarg, std::string(arg[iarg]) + " value");
     const double value = number(iarg + 1, found->name, found->zero) * found->unit;
     const auto place = found - keywords;
     if (pair && (place == 0 || (place >= 3 && place <= 5)) && value != *found->value)

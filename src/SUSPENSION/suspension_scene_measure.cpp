@@ -22,6 +22,7 @@
 #include "group.h"
 #include "lubcontact_channels.h"
 #include "lubcontact_power.h"
+#include "missing_argument.h"
 #include "modify.h"
 #include "scene_instance.h"
 #include "scene_sampler.h"
@@ -233,7 +234,7 @@ void SuspensionScene::measure(int narg, char **arg)
 
 SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) const
 {
-  if (narg < 2) utils::missing_cmd_args(FLERR, "suspension_scene measure", error);
+  require_words(FLERR, error, "suspension_scene", narg, "measure N ...");
   Options options;
   if (!utils::is_integer(arg[1]))
     error->all(FLERR, 1, "Suspension_scene measure needs a number of steps before keywords, not {}",
@@ -248,13 +249,13 @@ SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) co
   PairLubcontact::Laws &laws = options.all.laws;
   laws = {UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
   const struct {
-    const char *name;
+    const char *name, *usage;
     std::vector<double *> values;
-  } keywords[] = {{"change", {&options.limit}},
-                  {"friction", {&laws.friction}},
-                  {"critical", {&laws.critical}},
-                  {"adhesion", {&laws.pull_off}},
-                  {"repulsion", {&laws.repulsion, &laws.screening}}};
+  } keywords[] = {{"change", "change f", {&options.limit}},
+                  {"friction", "friction mu", {&laws.friction}},
+                  {"critical", "critical F", {&laws.critical}},
+                  {"adhesion", "adhesion F", {&laws.pull_off}},
+                  {"repulsion", "repulsion F0 lambda", {&laws.repulsion, &laws.screening}}};
   int places[std::size(keywords)] = {};
   for (int iarg = 2; iarg < narg;) {
     const auto *found = std::find_if(std::begin(keywords), std::end(keywords), [&](const auto &k) {
@@ -267,8 +268,7 @@ SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) co
                  arg[iarg]);
     places[found - keywords] = iarg;
     const int count = static_cast<int>(found->values.size());
-    if (iarg + count >= narg)
-      utils::missing_cmd_args(FLERR, fmt::format("suspension_scene measure {}", arg[iarg]), error);
+    require_words(FLERR, error, "suspension_scene measure", narg - iarg, found->usage);
     for (int n = 1; n <= count; n++) {
       const double value = utils::numeric(FLERR, arg[iarg + n], false, lmp);
       if (!(value > 0.0))

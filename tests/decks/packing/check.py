@@ -38,6 +38,47 @@ for case in ({"phi": 0.5, "separation": 0.01}, {"phi": 0.62, "N": 600}, {"phi": 
     deck.expect("smallest gap over the effective radius", gap.min() > case.get("separation", 0) - 1e-5, f"{gap.min():.2e}")
 deck.run("in.packing", fails=True, phi=0.75, N=300)
 
+# the same packing in any units, whatever the size of particles
+def packed(**variables):
+    v = deck.run("in.units", **variables).values
+    d = deck.read_dump("packing.dump")
+    size = v["radius_mean"]
+    return np.array([d["x"], d["y"], d["z"], d["radius"]]) / size, v
+
+
+for generator in "packing", "plates":
+    for dim, phi in (3, 0.45), (2, 0.6):
+        case = {"generator": generator, "dim": dim, "phi": phi, "N": 200, "aspect_y": 1 if generator == "packing" else 2}
+        expected, _ = packed(**case)
+        for units, radius in ("si", 2e-5), ("si", 1.0), ("micro", 40), ("nano", 500), ("cgs", 1e-3), ("real", 100), ("lj", 1e3):
+            if generator == "plates" and units not in ("si", "micro"):
+                continue
+            got, v = packed(**case, units=units, radius=radius)
+            what = f"{generator} in {dim}d, units {units}, mean radius {radius}"
+            deck.expect_close(f"{what}: that of lj", got, expected, atol=1e-6)
+            deck.expect_close("  the time step of before", v["dt"], 0.1234, rtol=1e-12)
+
+# a scene: sizes of the user's variable, the default with its radius and spread; found from any folder
+def scene(**variables):
+    deck.run("in.scene", **{"N": 200, "scene": deck.ROOT / "examples/scene", **variables})
+    return deck.read_dump("scene.dump")
+
+
+ratio = scene(sizes="1+0.4*(id%2)")["radius"]
+deck.expect_close("variable particle_radius in suspension.lmp", np.unique(ratio), [1.0, 1.4], rtol=1e-12)
+default = scene(radius=3e-3, spread=0.2, rate=2.0, units="si")
+radius = default["radius"]
+deck.expect_close("mean radius and spread", [radius.mean(), radius.std()], [3e-3, 6e-4], rtol=0.15)
+deck.expect_close("density for St = 0.05", default["mass"] / (4 / 3 * np.pi * radius**3), 0.05 * 1.0 / (2.0 * radius.mean()**2), rtol=1e-9)
+deck.expect_close("a density that is given", scene(density=7.5)["mass"] / (4 / 3 * np.pi * scene(density=7.5)["radius"]**3), 7.5, rtol=1e-9)
+for variables, message in (({"scene": deck.ROOT / "examples/scene"}, None), ({}, "say where this folder is: variable scene index FOLDER"),
+                           ({"packing": deck.ROOT / "examples/packing/packing.lmp"}, None)):
+    text = deck.run("in.scene", N=50, place=deck.ROOT / "examples/scene", fails=message is not None, **variables).text
+    deck.expect(f"suspension.lmp from another folder with {list(variables)}", message is None or message in text)
+os.environ["SUSPENSION_EXAMPLES"] = str(deck.ROOT / "examples")
+deck.run("in.scene", N=50, place=deck.ROOT / "examples/scene")
+del os.environ["SUSPENSION_EXAMPLES"]
+
 # the example, smaller
 example = deck.ROOT / "examples" / "packing"
 deck.run(str(example / "in.packing"), packing=str(example / "packing.lmp"), name="spheres", N=200)

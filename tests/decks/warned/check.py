@@ -40,4 +40,38 @@ text = log(words="pressure 10 tolerance 0.2")
 deck.expect("no rate, no settings", "cannot tell: give the shear rate: rate g" in text and "nan" not in text[text.index("Settings"):])
 text = log(more="fix shear all deform/rheometer rate 1 volume", words="tolerance 0.2")
 deck.expect("pressure of the start", "times that of steady flow at this phi" in text)
+
+# skin of the neighbor lists: LAMMPS' default is one length for all particles
+LONG = "times the largest radius: the lists are long and slow; use: neighbor 0."
+largest = max(float(line.split()[2]) / 2 for line in open("state.data", encoding="ascii").read().split("Atoms")[1].split("Velocities")[0]
+              .splitlines()[2:] if line)
+for skin, warned in (1.95 * largest, False), (2.05 * largest, True):
+    text = log(more=f"neighbor {skin} bin")
+    deck.expect(f"skin of {skin / largest} largest radii warns: {warned}", (LONG in text) == warned)
+
+# other contacts or films between the same particles
+GRAN = '"pair_coeff * * gran/hooke/history"'
+GRANULAR = '"pair_coeff * * granular hooke 1e4 0 tangential linear_nohistory 0.0 0.5"'
+OURS = '"pair_coeff * * lubcontact 1e4 5e3 roughness 0.01"'
+LUBRICATE = "lubricate 1e-6 1 1 1.81 2.5 1 0"    # of spheres of one size
+DRY = "lubcontact 0 cut 0.1 squeeze no shear no roll no twist no"
+TWICE = "between the same particles; lubcontact replaces the other one, leave that out"
+for styles, coeffs, words in (
+        ("hybrid/overlay gran/hooke/history 1e4 NULL 0 NULL 0.5 1 lubcontact 1.0 cut 0.5", (GRAN, OURS),
+         "lubcontact and gran/hooke/history both act on types 1 1: two elastic contacts"),
+        ("hybrid/overlay lubcontact 1.0 cut 0.5 granular", (OURS, GRANULAR), "lubcontact and granular both act on types 1 1: two elastic contacts"),
+        (f"hybrid/overlay lubcontact 1.0 cut 0.5 {LUBRICATE}", (OURS, '"pair_coeff * * lubricate"', '"set group all diameter 1.8"'),
+         "lubcontact and lubricate both act on types 1 1: two films"),
+        (f"hybrid/overlay {DRY} {LUBRICATE}", (OURS, '"pair_coeff * * lubricate"', '"set group all diameter 1.8"'), None),
+        ("hybrid/overlay lubcontact 1.0 cut 0.5 zero 2.5", (OURS, '"pair_coeff * * zero"'), None),
+        ("hybrid/overlay lubcontact 1.0 cut 0.5 lubcontact 2.0 cut 0.3",
+         ('"pair_coeff * * lubcontact 1 1e4 5e3 roughness 0.01"', '"pair_coeff * * lubcontact 2 1e4 5e3"'),
+         "lubcontact and lubcontact both act on types 1 1: two contacts and films")):
+    text = log(more=f'if "1 == 1" then "pair_style {styles}" {" ".join(coeffs)}')
+    deck.expect(f"{styles} warns: {words}", words is not None and words in text if words else TWICE not in text)
+deck.make_state(types=2)
+styles = "hybrid/overlay gran/hooke/history 1e4 NULL 0 NULL 0.5 1 lubcontact 1.0 cut 0.5 zero 2.5"
+text = log(more=f'if "1 == 1" then "pair_style {styles}" "pair_coeff 2 2 gran/hooke/history" "pair_coeff 1 1 lubcontact 1e4 5e3" '
+                '"pair_coeff * * zero"')
+deck.expect("a granular style for other types", TWICE not in text)
 deck.finish()
