@@ -22,6 +22,7 @@
 #include "pair.h"
 #include "rheometer_flow.h"
 #include "rheometer_list.h"
+#include "rheometer_mean.h"
 #include "rheometer_servo.h"
 #include "update.h"
 
@@ -94,6 +95,7 @@ void FixDeformRheometer::setup_pre_exchange()
   stepped = false;
   if (!fresh) return;    // goes on as it did
   fresh = false;
+  *averages = {};
   if (confinement == VOLUME) dilation = 0.0;
   update_targets();
   if (drive != STRESS) rate = next_rate();
@@ -261,6 +263,7 @@ void FixDeformRheometer::end_of_step()
   measure_stress();
   virial->addstep(update->ntimestep + nevery);
   if (!stepped) return;
+  rheometer::add(*averages, measured_pressure, measured_stress, rate * moved, moved);
 
   if (has_variables()) modify->clearstep_compute();
   update_targets();

@@ -28,6 +28,7 @@ namespace rheometer {
 struct Cell;
 struct Gradient;
 struct Material;
+struct StrainMeans;
 struct Watch;
 }    // namespace rheometer
 
@@ -72,6 +73,7 @@ class FixDeformRheometer : public FixDeform {
   };
   Imposed imposed() const;
   std::string settings_text() const;
+  const rheometer::StrainMeans &means() const { return *averages; }
 
  protected:
   FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);
@@ -96,6 +98,7 @@ class FixDeformRheometer : public FixDeform {
   std::unique_ptr<rheometer::Cell> cell_rate;    // and the change of the cell per time since then
   double moved;                                  // time since then
   std::unique_ptr<rheometer::Watch> watch_pressure, watch_stress, watch_rate;
+  std::unique_ptr<rheometer::StrainMeans> averages;    // of pressure and stress
 
   double measured_pressure, measured_stress;    // of the particles, when last adjusted
   int state;                                    // rheometer::State

@@ -17,6 +17,7 @@
 #include "missing_argument.h"
 #include "modify.h"
 #include "rheometer_flow.h"
+#include "rheometer_mean.h"
 #include "rheometer_servo.h"
 #include "update.h"
 
@@ -26,7 +27,7 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr int VECTOR_SIZE = 10;
+static constexpr int VECTOR_SIZE = 10 + rheometer::MEAN_OUTPUTS;
 static constexpr int EVERY = 8;    // steps: far below the lag of the servos
 
 /* ----------------------------------------------------------------------
@@ -75,11 +76,11 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
     pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0), rate(0.0), dilation(0.0),
     gradient(new rheometer::Gradient()), cell_rate(new rheometer::Cell()), moved(0.0),
     watch_pressure(new rheometer::Watch()), watch_stress(new rheometer::Watch()),
-    watch_rate(new rheometer::Watch()), measured_pressure(0.0), measured_stress(0.0),
-    state(rheometer::IDLE), fresh(true), stepped(false), warned(false), warned_every(false),
-    particles(), material(new rheometer::Material()), virial(nullptr),
-    keeper(new ListKeeper(lmp, this)), listed(new rheometer::Cell()), held(nullptr),
-    from_restart(false)
+    watch_rate(new rheometer::Watch()), averages(new rheometer::StrainMeans()),
+    measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), fresh(true),
+    stepped(false), warned(false), warned_every(false), particles(),
+    material(new rheometer::Material()), virial(nullptr), keeper(new ListKeeper(lmp, this)),
+    listed(new rheometer::Cell()), held(nullptr), from_restart(false)
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "Fix {} needs finite-size spheres; use: atom_style sphere", style);

@@ -16,6 +16,7 @@
 #include "memory.h"
 #include "restart_seal.h"
 #include "rheometer_flow.h"
+#include "rheometer_mean.h"
 #include "rheometer_servo.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ enum { SIZE, FLOW, DRIVE, DRIVEN, AMPLITUDE, FREQUENCY, CONFINEMENT, PRESSED, FR
        STRAIN, PATH, TIME, NOW_RATE, NOW_DILATION, XX, YY, ZZ, XY, LX, LY, LZ, TILT, MOVED,
        P_MEAN, P_AGE, S_MEAN, S_AGE, R_MEAN, R_AGE, PARTICLES };
 // clang-format on
-static constexpr int SEAL = PARTICLES + 4;
+static constexpr int MEANS = PARTICLES + 4;
+static constexpr int SEAL = MEANS + sizeof(rheometer::StrainMeans) / sizeof(double);
 static constexpr int RESTART_SIZE = SEAL + 1;
 static constexpr int PERATOM_RESTART = 4;    // this size, position
 
@@ -70,6 +72,7 @@ void FixDeformRheometer::write_restart(FILE *fp)
                               particles[1],
                               particles[2],
                               particles[3]};
+  memcpy(buf + MEANS, averages.get(), sizeof(*averages));
   buf[SEAL] = suspension::seal(buf, SEAL * sizeof(double));
   const int size = sizeof(buf);
   fwrite(&size, sizeof(int), 1, fp);
@@ -108,6 +111,7 @@ void FixDeformRheometer::restart(char *buf)
   fresh = moved_target || from[FRESH] != 0.0;
   if (turned) time = 0.0;
   if (!moved_target) {
+    memcpy(static_cast<void *>(averages.get()), from + MEANS, sizeof(*averages));
     *watch_pressure = {from[P_MEAN], from[P_AGE]};
     *watch_stress = {from[S_MEAN], from[S_AGE]};
     *watch_rate = {from[R_MEAN], from[R_AGE]};

@@ -20,6 +20,7 @@
 #include "math_const.h"
 #include "pair.h"
 #include "rheometer_flow.h"
+#include "rheometer_mean.h"
 #include "rheometer_servo.h"
 #include "update.h"
 
@@ -242,7 +243,8 @@ void FixDeformRheometer::judge_stress()
 }
 
 /* ----------------------------------------------------------------------
-   strain, rate, volume fraction, pressure, driving stress, both targets, dilation, path, state
+   strain, rate, volume fraction, pressure, driving stress, both targets, dilation, path, state; then
+   means
 ------------------------------------------------------------------------- */
 
 double FixDeformRheometer::compute_vector(int n)
@@ -259,5 +261,7 @@ double FixDeformRheometer::compute_vector(int n)
                            dilation,
                            path,
                            static_cast<double>(state)};
-  return values[n];
+  const int size_now = sizeof(values) / sizeof(double);
+  if (n < size_now) return values[n];
+  return rheometer::mean_output(*averages, n - size_now, measured_pressure, measured_stress);
 }

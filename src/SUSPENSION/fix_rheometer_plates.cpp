@@ -337,6 +337,10 @@ void FixRheometerPlates::final_integrate()
   if (load == LOAD) half_kick_y(dt);
   if (drive == STRESS || load == LOAD) set_velocities();
   watch_targets(dt);
+
+  const rheometer::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
+  rheometer::add(state.means, 0.5 * (low.pressure + up.pressure), 0.5 * (low.xy + up.xy),
+                 state.rate * dt, dt);
 }
 
 /* ----------------------------------------------------------------------
@@ -408,7 +412,11 @@ double FixRheometerPlates::compute_vector(int n)
                            load == GAP ? 0.0 : target_y.value,
                            state.code_x,
                            state.code_y};
-  return values[n];
+  const int now = sizeof(values) / sizeof(double);
+  if (n < now) return values[n];
+  const double mean = rheometer::mean_output(
+      state.means, n - now, 0.5 * (low.pressure + up.pressure), 0.5 * (low.xy + up.xy));
+  return n - now == rheometer::MEAN_OUTPUTS - 1 ? mean : mean * unit;
 }
 
 /* ---------------------------------------------------------------------- */

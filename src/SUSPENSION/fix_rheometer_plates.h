@@ -18,6 +18,7 @@ FixStyle(rheometer/plates,FixRheometerPlates);
 
 #include "fix.h"
 
+#include "rheometer_mean.h"
 #include "rheometer_target.h"
 
 #include <memory>
@@ -55,6 +56,7 @@ class FixRheometerPlates : public Fix {
   void restart(char *) override;
   void measure_surfaces(double &, double &) const;    // mean heights, lower and upper
   int plate_bits() const { return bit[0] | bit[1]; }
+  const rheometer::StrainMeans &means() const { return state.means; }
 
  protected:
   enum Drive { RATE, VELOCITY, STRESS, OSCILLATE, IV };    // along x
@@ -90,6 +92,7 @@ class FixRheometerPlates : public Fix {
     double solid = 0.0;                      // volume of the suspended particles
     double density = 0.0, diameter = 0.0;    // and their means
     double plate_mass = 0.0;                 // of the particles of the upper plate
+    rheometer::StrainMeans means;            // of the plates
   } state;
 
   // neighbor lists, and what the upper plate has moved since they were made

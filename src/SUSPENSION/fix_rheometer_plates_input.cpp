@@ -66,7 +66,7 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
   dynamic_group_allow = 1;
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 16;
+  size_vector = 16 + rheometer::MEAN_OUTPUTS;
   global_freq = 1;
   extvector = 0;
 }
@@ -130,6 +130,7 @@ int FixRheometerPlates::parse(int narg, char **arg, int iarg)
 void FixRheometerPlates::start_drive()
 {
   state.clock = 0.0;    // of the oscillation
+  state.means = {};
   state.deviation_x = state.age_x = state.warned_x = 0.0;
 }
 
@@ -138,6 +139,7 @@ void FixRheometerPlates::start_load(bool same)
   // the servo goes on with the motion that the plate has
   if (load == PRESSURE && !same) state.dilation = state.gap == 0.0 ? 0.0 : state.vy / state.gap;
   state.deviation_y = state.age_y = state.warned_y = 0.0;
+  state.means = {};
 }
 
 /* ---------------------------------------------------------------------- */

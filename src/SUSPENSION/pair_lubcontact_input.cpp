@@ -130,6 +130,7 @@ void PairLubcontact::settings(int narg, char **arg)
   eta_name = nullptr;
   if (utils::strmatch(arg[0], "^v_")) {
     eta_name = utils::strdup(arg[0] + 2);
+    eta = NAN;    // until a run evaluates it
   } else {
     eta = utils::numeric(FLERR, arg[0], false, lmp);
     if (!(eta >= 0.0))

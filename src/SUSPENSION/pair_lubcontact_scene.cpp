@@ -12,6 +12,7 @@
 #include "pair_lubcontact.h"
 
 #include "atom.h"
+#include "lubcontact_friction.h"
 #include "lubcontact_pair.h"
 #include "scene_history.h"
 
@@ -35,6 +36,9 @@ bool PairLubcontact::uses(const std::string &effect) const
     for (int j = i; j <= atom->ntypes; j++) {
       if (!setflag[i][j]) continue;
       if (effect == "friction" && law[i][j] && friction[i][j] > 0.0) return true;
+      if (law[i][j] > COULOMB && critical[i][j] > 0.0 &&
+          effect == lubcontact::FRICTION_NAME[law[i][j]])
+        return true;
       if (effect == "critical load" && law[i][j] > COULOMB && critical[i][j] > 0.0) return true;
       if (effect == "adhesion" && adhesion[i][j] > 0.0) return true;
       if (effect == "repulsion" && repulsion[i][j] > 0.0) return true;
@@ -148,5 +152,5 @@ std::string PairLubcontact::coeff_lines(const std::vector<std::string> &without)
 
 double PairLubcontact::viscosity() const
 {
-  return eta_name && eta == 0.0 ? NAN : eta;
+  return eta;
 }

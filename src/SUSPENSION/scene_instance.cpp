@@ -57,7 +57,7 @@ struct Deformation : FixDeform {
 bool watches(const Fix *fix, int mask)
 {
   for (const char *name : {"^NEIGH_HISTORY", "^DUMMY", "^ave/", "^print", "^vector", "^store/",
-                           "^STORE", "^property/atom", "^balance", "^halt"})
+                           "^STORE", "^GROUP", "^property/atom", "^balance", "^halt"})
     if (utils::strmatch(fix->style, name)) return true;
   return mask == 0;
 }
@@ -91,7 +91,8 @@ const BackgroundFluid *SceneInstance::background_of(const Fix *fix)
 static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
 {
   std::string settings;
-  auto *sphere = dynamic_cast<FixNVESphere *>(fix);
+  auto *sphere = utils::strmatch(fix->style, "^nve/sphere") ? dynamic_cast<FixNVESphere *>(fix)
+                                                            : nullptr;
   auto *deform = dynamic_cast<FixDeform *>(fix);
   const auto *rheometer = dynamic_cast<FixDeformRheometer *>(fix);
   const BackgroundFluid *fluid = SceneInstance::background_of(fix);
@@ -108,8 +109,8 @@ static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
     if (!imposed.steady_shear)
       lmp->error->all(FLERR,
                       "Suspension_scene measure compares the viscosity of steady shear, but fix {} "
-                      "has: {}; the advice without the word measure works here, too",
-                      fix->id, settings);
+                      "has: {}; {}",
+                      fix->id, settings, SceneInstance::CURE);
     plan.holds_rate = imposed.holds_rate;
     plan.holds_pressure = imposed.holds_pressure;
   } else if (utils::strmatch(fix->style, "^deform$") && Deformation::only_tilts(deform)) {
@@ -133,7 +134,6 @@ static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
 SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
 {
   Error *error = lmp->error;
-  static constexpr const char *CURE = "the advice without the word measure works here, too";
   if (!lmp->domain->box_exist || lmp->atom->natoms == 0)
     error->all(FLERR, "Suspension_scene needs particles: use it after they are created");
 
@@ -144,8 +144,7 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
                "Suspension_scene measure needs pair_style lubcontact alone, but the pair style is "
                "{}; {}",
                lmp->force->pair_style ? lmp->force->pair_style : "none", CURE);
-  if (lmp->neighbor->nex_type || lmp->neighbor->nex_group || lmp->neighbor->nex_mol)
-    error->all(FLERR, "Suspension_scene measure cannot copy neigh_modify exclude; {}", CURE);
+  check_system(lmp);
 
   const auto &fixes = lmp->modify->get_fix_list();
   for (std::size_t n = 0; n < fixes.size(); n++) {
@@ -160,8 +159,10 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
                  "fix {}; {}",
                  fix->id, CURE);
     if (!copied && !watches(fix, lmp->modify->fmask[n]))
-      error->all(FLERR, "Suspension_scene measure cannot copy fix {} of style {}; {}", fix->id,
-                 fix->style, CURE);
+      error->all(FLERR,
+                 "Suspension_scene measure copies sheared suspensions with nothing else that acts, "
+                 "but cannot copy fix {} of style {}: unfix it if it does not matter; {}",
+                 fix->id, fix->style, CURE);
   }
   if (!plan.flow)
     error->all(FLERR,
@@ -235,7 +236,8 @@ void SceneInstance::set_up() const
                   original->atom->map_style == Atom::MAP_HASH ? "hash" : "array"));
   one("comm_modify vel yes");
   if (comm->cutghostuser > 0.0) one(fmt::format("comm_modify cutoff {}", comm->cutghostuser));
-  one(fmt::format("neighbor {} {}", neighbor->skin, neighbor->style == 0 ? "nsq" : "bin"));
+  static constexpr const char *STYLE[] = {"nsq", "bin", "multi/old", "multi"};
+  one(fmt::format("neighbor {} {}", neighbor->skin, STYLE[neighbor->style]));
   one(fmt::format("neigh_modify every {} delay {} check {} page {} one {}", neighbor->every,
                   neighbor->delay, neighbor->dist_check ? "yes" : "no", neighbor->pgsize,
                   neighbor->oneatom));
@@ -265,6 +267,12 @@ void SceneInstance::copy_box() const
   lmp->atom->deallocate_topology();
   lmp->atom->avec->grow(static_cast<int>(lmp->atom->avec->roundup(original->atom->nlocal + 1)));
   to->set_initial_box(0);
+  to->minxlo = from->minxlo;    // of shrinking sides that keep a minimum
+  to->minxhi = from->minxhi;
+  to->minylo = from->minylo;
+  to->minyhi = from->minyhi;
+  to->minzlo = from->minzlo;
+  to->minzhi = from->minzhi;
   to->set_global_box();
   lmp->comm->set_proc_grid();
   to->set_local_box();

@@ -46,6 +46,8 @@ class SceneInstance {
     std::vector<std::string> without;    // PairLubcontact::EFFECTS and DRAG
   };
   static constexpr const char *DRAG = "drag";
+  static constexpr const char *CURE = "the advice without the word measure works here, too; or "
+                                      "compare two runs of your own, with the effect and without";
   static Plan plan(LAMMPS *);
   static double deform_rate(LAMMPS *);
   static const BackgroundFluid *background_of(const Fix *);    // null: it has none
@@ -61,6 +63,7 @@ class SceneInstance {
 
  private:
   LAMMPS *original;
+  static void check_system(LAMMPS *);
   void set_up() const;
   void copy_box() const;
   void copy_atoms() const;

@@ -16,19 +16,28 @@ inline bool known(double x)
   return !std::isnan(x);
 }
 
+// laws of friction with a critical load, by how much of it they keep where all contacts rub
+enum CriticalLaw { STEP_LAW, SHIFT_LAW, RAMP_LAW };
+
 // What is known of a scene, in one consistent system of units. Pressure: of the particles.
 struct Scene {
   double particles = 0.0, dimension = 3.0;
   double phi = 0.0;    // volume fraction, area fraction in 2d
-  double radius = 1.0, radius_min = 1.0, radius_max = 1.0, spread = 0.0;    // spread: std/mean
-  double density = 1.0;                                                     // of the particles
+  double radius = 1.0, radius_min = 1.0, radius_max = 1.0;
+  double spread = 0.0, skew = 0.0;    // of the radius: std/mean, third moment/std^3
+  double density = 1.0;               // of the particles
   double viscosity = UNKNOWN, rate = UNKNOWN, pressure = UNKNOWN;
   double g = UNKNOWN, roughness = UNKNOWN, friction = UNKNOWN;    // softest, smoothest, roughest
   double repulsion = UNKNOWN, adhesion = UNKNOWN, critical = UNKNOWN;    // forces of the surfaces
-  double thermal = UNKNOWN;                                              // kT
-  double fluid_density = UNKNOWN;                                        // mass/volume
+  double critical_max = UNKNOWN;    // of pairs of types with several; unknown: the same
+  CriticalLaw critical_law = STEP_LAW;
+  bool rubs_always = false;          // pairs of types that rub without a critical load
+  double thermal = UNKNOWN;          // kT
+  double fluid_density = UNKNOWN;    // mass/volume
   double dt = UNKNOWN, dt_limit = UNKNOWN;
-  double box = UNKNOWN;    // smallest periodic height
+  double box = UNKNOWN;        // smallest periodic height
+  double gravity = UNKNOWN;    // acceleration
+  double bottom = UNKNOWN;     // pressure of all particles on what carries them
 };
 
 // Dimensionless, but for the first two
@@ -48,9 +57,11 @@ struct Numbers {
   double step = UNKNOWN;             // dt over its limit
   double box = UNKNOWN;              // in mean diameters
   double phi_jam = UNKNOWN;          // where friction jams it
+  double crowding = UNKNOWN;         // phi over that
   double friction_gain = UNKNOWN;    // viscosity with over viscosity without friction, less 1
   double repulsion = UNKNOWN, adhesion = UNKNOWN;    // force/(P d^2)
-  double critical = UNKNOWN;                         // P a^2 over the critical load
+  double critical = UNKNOWN;                         // P a^2 over the critical load, the smallest
+  double critical_min = UNKNOWN;                     // over the largest
 };
 
 // Chevremont, Chareyre, Bodiguel, Phys. Rev. Fluids 4, 064302 (2019), eq. 13
@@ -77,6 +88,44 @@ inline double friction_gain(double phi, double friction)
 
 static constexpr double VISCOUS_TO_INERTIAL = 10.0;    // I^2/Iv, Tapia et al. 2022
 
+// Random close packing of spheres of several sizes over that of equal ones: Desmond and Weeks, Phys.
+// Rev. E 90, 022204 (2014). The laws here are those of spheres up to this spread.
+static constexpr double NARROW = 0.1;
+inline double packing_gain(double spread, double skew)
+{
+  if (spread <= NARROW) return 1.0;
+  return 1.0 +
+      (0.0658 * (spread - NARROW) + 0.0857 * std::fmax(skew, 0.0) * spread * spread) / 0.634;
+}
+
+// where the scene jams for certain: no contact that has a critical load rubs, sizes pack well
+inline double loosest_jamming(const Scene &s)
+{
+  const bool may_slip = s.critical > 0.0 && !s.rubs_always;
+  return jamming_fraction(may_slip ? 0.0 : s.friction) * packing_gain(s.spread, s.skew);
+}
+
+// Pressure of the steady flow by the volume fraction, from where it is least to where it is largest:
+// no contact that has a critical load rubs, sizes pack as well as they can; all contacts rub, sizes
+// pack as equal ones. Infinite: jammed. Unknown without rate, viscosity and friction.
+struct Bounds {
+  double low = UNKNOWN, high = UNKNOWN;
+  bool one() const { return !(high > 1.1 * low); }    // as far as the law is good
+};
+
+inline Bounds steady_pressure(const Scene &s)
+{
+  const double viscous = s.viscosity * std::fabs(s.rate);
+  if (s.dimension != 3.0 || !known(s.friction) || !(viscous > 0.0)) return {};
+  auto pressure = [&](double phi_jam) {
+    const double Iv = viscous_number(s.phi, phi_jam);
+    return known(Iv) ? viscous / Iv : HUGE_VAL;
+  };
+  const double high = pressure(jamming_fraction(s.friction));
+  const double low = pressure(loosest_jamming(s));
+  return std::isinf(low) ? Bounds{} : Bounds{low, high};
+}
+
 inline Numbers numbers(const Scene &s)
 {
   Numbers n;
@@ -84,14 +133,16 @@ inline Numbers numbers(const Scene &s)
   // the laws of spheres: discs jam elsewhere
   if (s.dimension == 3.0 && known(s.friction)) {
     n.phi_jam = jamming_fraction(s.friction);
+    n.crowding = s.phi / n.phi_jam;
     n.friction_gain = friction_gain(s.phi, s.friction);
   }
 
   const double rate = std::fabs(s.rate), viscous = s.viscosity * rate;
   n.pressure = s.pressure;
-  if (!known(n.pressure) && viscous > 0.0 && known(n.phi_jam)) {
-    n.pressure = viscous / viscous_number(s.phi, n.phi_jam);
-    n.estimated = known(n.pressure);
+  if (!known(n.pressure)) {
+    const double most = steady_pressure(s).high;
+    n.estimated = std::isfinite(most);
+    if (n.estimated) n.pressure = most;
   }
   const double P = n.pressure > 0.0 ? n.pressure : UNKNOWN;
 
@@ -112,6 +163,7 @@ inline Numbers numbers(const Scene &s)
   n.repulsion = s.repulsion / (P * d * d);
   n.adhesion = s.adhesion / (P * d * d);
   n.critical = P * a * a / s.critical;
+  n.critical_min = known(s.critical_max) ? P * a * a / s.critical_max : n.critical;
   return n;
 }
 

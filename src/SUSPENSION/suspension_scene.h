@@ -23,10 +23,15 @@ CommandStyle(suspension_scene,SuspensionScene);
 #include <string>
 #include <vector>
 
+namespace rheometer {
+struct StrainMeans;
+}
+
 namespace scene {
 struct Numbers;
 struct Plan;
 struct Scene;
+struct Settling;
 struct Verdict;
 }    // namespace scene
 
@@ -44,25 +49,44 @@ class SuspensionScene : public Command {
   std::unique_ptr<scene::Scene> scene;
   PairLubcontact *pair;    // or null
   bool walls;
-  bool limit_known;          // of the time step, from the last run
-  bool measured;             // is the pressure of the scene
+  bool limit_known;    // of the time step, from the last run
+  struct {
+    bool used = false;                   // is the pressure of the scene
+    double strain = 0.0;                 // that the mean spans; too short: not used
+    double deviation = 0.0;              // of single values
+    double first = 0.0, second = 0.0;    // means of its halves
+  } measured;
+  std::string gravity;       // IDs of the fixes
   double total_mass;         // of the particles
   std::string overridden;    // words given that are other than in the pair style
   double screening;          // length of the repulsion, if the script gives it
   double tolerance;          // of the viscosity, or NaN
+  bool brief;                // verdicts and lines only
   void parse(int, char **);
   void read_particles();
   void read_box();
   void read_pair();
   void read_flow();
   void read_plates();
-  void report() const;
-  std::string describe(const scene::Numbers &) const;
-  std::string drag_line() const;
-  std::string transient_warning() const;
+  void read_pressure(const rheometer::StrainMeans &, double);
+  void read_gravity();
+  bool falls() const;
+  std::string report() const;
+  std::string advice_for_falling() const;
+  std::string advice_for_shear() const;
+  std::string table(const std::vector<scene::Verdict> &) const;
+  std::string describe() const;
+  std::string describe_pressure() const;
+  std::string describe_numbers() const;
+  std::string describe_settling(const scene::Settling &) const;
+  std::string doubts_of_pressure() const;
   bool overdamped() const;
   std::string law_words(const std::vector<scene::Verdict> &) const;
-  std::string deck_lines(const scene::Numbers &, const std::vector<scene::Verdict> &) const;
+  std::string drag_line() const;
+  std::string pair_line(const std::vector<scene::Verdict> &,
+                        const std::vector<std::string> &) const;
+  std::string room_for_inertia(bool) const;
+  std::string deck_lines(const std::vector<scene::Verdict> &) const;
 
   // settings for a tolerance
   std::string plan_text(const scene::Plan &) const;

@@ -15,6 +15,7 @@
 #include "force.h"
 #include "pair_lubcontact.h"
 #include "scene_accuracy.h"
+#include "scene_bounds.h"
 #include "utils.h"
 
 #include <cmath>
@@ -24,6 +25,8 @@ using scene::known;
 using scene::Numbers;
 using scene::Plan;
 using scene::show;
+
+static constexpr double WIDE = 1.5;    // bounds of the pressure: the stiffness rests on it
 
 static std::string percent(double x)
 {
@@ -40,6 +43,10 @@ static std::string missing(const scene::Scene &s, const Numbers &n, const Pair *
   if (!(s.viscosity > 0.0)) return "measured in a fluid only: give its viscosity eta";
   if (!known(s.rate) || s.rate == 0.0) return "give the shear rate: rate g";
   if (!known(n.pressure)) return "give the pressure: pressure P";
+  const scene::Bounds bounds = known(s.pressure) ? scene::Bounds{} : scene::steady_pressure(s);
+  if (bounds.high > WIDE * bounds.low)
+    return "the pressure, on which the stiffness rests, is not known before a run: run first, or "
+           "give it: pressure P";
   if (!(s.roughness > 0.0)) return "measured for rough particles only: give roughness eps";
   if (!pair || !known(s.dt_limit))
     return "the limit of the time step is unknown: define the pair style, and let particles have "
@@ -125,6 +132,12 @@ std::string SuspensionScene::tolerance_lines() const
   std::string text = fmt::format("Settings for a viscosity within {} of the converged solution of "
                                  "this model\n",
                                  percent(tolerance));
+  text += fmt::format(
+      "  for {:.0f} particles, phi {}, roughness {}, friction {}, viscosity {}, rate {}, "
+      "pressure {}\n",
+      s.particles, show(s.phi), show(s.roughness), show(s.friction), show(s.viscosity),
+      show(s.rate), describe_pressure());
+  text += doubts_of_pressure();
   const std::string lack = missing(s, n, pair);
   if (!lack.empty()) return text + "  cannot tell: " + lack + "\n";
   const Plan p = scene::plan(tolerance, s, n, s.dt_limit);

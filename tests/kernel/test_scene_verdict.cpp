@@ -126,12 +126,38 @@ TEST(SceneVerdict, FilmsAreIdleAtLargeStokesNumbers)    // impact St = 4 St/9, d
     expect_flip(e, &Scene::density, 1125.0, NEEDED, NOT_NEEDED);
 }
 
-TEST(SceneVerdict, SqueezeFilmNeedsViscousStress)
+// left out only where films carry little, nothing collides, and it was measured: friction 0.5, phi 0.54
+TEST(SceneVerdict, SqueezeFilmIsLeftOutWhereThatWasMeasured)
 {
-  expect_flip(SQUEEZE_FILM, &Scene::pressure, 100.0, NEEDED, NOT_NEEDED);    // Iv 0.01
   Scene s = paste();
+  s.phi = 0.52;
+  s.density = 0.049;
+  expect_flip(SQUEEZE_FILM, &Scene::pressure, 100.0, NEEDED, NOT_NEEDED, s);    // Iv 0.01
+  const double root = 1.0 / 0.94 - 1.0;
+  expect_flip(SQUEEZE_FILM, &Scene::pressure, 1.0 / (root * root), NOT_NEEDED, NEEDED, s);
+  s.pressure = 120.0;
+  expect_flip(SQUEEZE_FILM, &Scene::density, 0.05, NOT_NEEDED, NEEDED, s);    // St
+  expect_flip(SQUEEZE_FILM, &Scene::phi, 0.94 * jamming_fraction(0.5), NOT_NEEDED, NEEDED, s);
   s.friction = 0.0;
-  expect_flip(SQUEEZE_FILM, &Scene::pressure, 1000.0, NEEDED, NOT_NEEDED, s);
+  EXPECT_EQ(answer(s, SQUEEZE_FILM), NEEDED);
+  s.friction = 0.1;
+  EXPECT_EQ(answer(s, SQUEEZE_FILM), NEEDED);
+  s = paste();
+  s.phi = 0.52;
+  s.density = 0.049;
+  s.pressure = 120.0;
+  s.critical = 1e6;    // nothing rubs
+  EXPECT_EQ(answer(s, SQUEEZE_FILM), NEEDED);
+}
+
+// phi 0.54, St 0.5: without it the viscosity is half
+TEST(SceneVerdict, SqueezeFilmStaysWhereParticlesCollide)
+{
+  Scene s = paste();
+  s.phi = 0.54;
+  s.density = 0.5;
+  s.pressure = 250.0;
+  EXPECT_EQ(answer(s, SQUEEZE_FILM), NEEDED);
 }
 
 TEST(SceneVerdict, FrictionNeedsCrowding)
@@ -159,6 +185,56 @@ TEST(SceneVerdict, CriticalLoadNeedsForcesOfItsSize)
   EXPECT_EQ(answer(s, CRITICAL_LOAD), NEEDED);
   s.friction = 0.0;
   EXPECT_EQ(answer(s, CRITICAL_LOAD), NOT_NEEDED);
+}
+
+// the deck lines follow: no verdict leaves out friction and keeps its critical load, or the other way
+TEST(SceneVerdict, FrictionAndItsCriticalLoadAgree)
+{
+  for (double phi : {0.1, 0.3, 0.5, 0.55, 0.6})
+    for (CriticalLaw law : {STEP_LAW, SHIFT_LAW, RAMP_LAW})
+      for (bool rubs_always : {false, true})
+        for (double critical = 1e-2; critical < 1e5; critical *= 1.7) {
+          Scene s = paste();
+          s.phi = phi;
+          s.critical_law = law;
+          s.rubs_always = rubs_always;
+          s.critical = critical;
+          const Verdict load = verdict(s, CRITICAL_LOAD), friction = verdict(s, FRICTION_LAW);
+          const bool slips = load.why.find("no contact rubs") != std::string::npos;
+          EXPECT_TRUE(!slips || friction.answer == NOT_NEEDED) << friction.why;
+          EXPECT_TRUE(friction.answer != NOT_NEEDED || load.answer == NOT_NEEDED) << load.why;
+          EXPECT_FALSE(slips && (rubs_always || law == RAMP_LAW));
+          EXPECT_TRUE(law == STEP_LAW || friction.answer != NEEDED || load.answer == NEEDED);
+        }
+}
+
+// a critical load that nothing reaches: friction none, not Coulomb's
+TEST(SceneVerdict, FrictionIsNotNeededBelowTheCriticalLoad)
+{
+  expect_flip(FRICTION_LAW, &Scene::critical, 20.0 / 0.03, NEEDED, NOT_NEEDED);
+  Scene s = paste();
+  s.critical = 1e4;
+  s.rubs_always = true;
+  EXPECT_EQ(answer(s, FRICTION_LAW), NEEDED);
+  s.rubs_always = false;
+  s.pressure = UNKNOWN;    // and no estimate
+  s.rate = UNKNOWN;
+  EXPECT_EQ(answer(s, FRICTION_LAW), NEEDED);
+}
+
+// several pairs of types: the smallest load decides whether any contact rubs, the largest whether all do
+TEST(SceneVerdict, CriticalLoadsOfSeveralTypes)
+{
+  Scene s = paste();
+  s.critical = 1.0;    // P a^2/F 20 and 0.002
+  s.critical_max = 1e4;
+  EXPECT_EQ(answer(s, CRITICAL_LOAD), NEEDED);
+  s.critical_max = 6.0;
+  EXPECT_EQ(answer(s, CRITICAL_LOAD), NOT_NEEDED);
+  s.critical = 700.0;
+  s.critical_max = 1e4;
+  EXPECT_EQ(answer(s, CRITICAL_LOAD), NOT_NEEDED);
+  EXPECT_EQ(answer(s, FRICTION_LAW), NOT_NEEDED);
 }
 
 TEST(SceneVerdict, SurfaceForcesNeedAPartOfTheConfinement)

@@ -1,5 +1,6 @@
 """The advice of suspension_scene for known scenes: numbers by hand, and which effects they call for."""
 import re
+from pathlib import Path
 
 import numpy as np
 
@@ -14,9 +15,10 @@ class Advice:
     def __init__(self, name="in.scene_advice", **variables):
         run = deck.run(name, **variables)
         self.text, self.values = run.text, run.values
-        self.text = self.text[self.text.index("Suspension scene: what is there"):]
+        self.text = self.text[max(self.text.find("Suspension scene: what is there"), self.text.find("Which effects")
+                                 if variables.get("words") == "brief" else 0):]
         self.answers = {e: re.search(rf"^  {e} +({ANSWERS}) ", self.text, re.MULTILINE).group(1) for e in EFFECTS}
-        self.lines = self.text[self.text.index("Deck lines to use"):]
+        self.lines = self.text[self.text.index("eck lines"):]
 
     def number(self, name):
         value = re.search(rf"^  {re.escape(name)}.*? (\S+)$", self.text, re.MULTILINE).group(1)
@@ -68,7 +70,50 @@ run = deck.run("in.scene_advice", before="run 20")
 printed = re.search(r"of the stability limit (\S+)\n  shear rate", run.text).group(1)
 deck.expect_close("after a run: limit of the time step", float(re.search(r"limit (\S+)$", scene.text, re.MULTILINE).group(1)),
                   float(printed), rtol=6e-3)
-deck.expect("after a run: the pressure is measured", "estimated" not in scene.text)
+deck.expect("after a strain of 2e-4: no mean yet", "(estimated from phi); measured over a strain of 0.00016, too short for a mean" in scene.text)
+
+# a mean pressure, not that of the last step; of less than a unit of strain it is doubtful
+Path("results").write_text("".join(f"print \"RESULT {name} $(f_flow[{n}])\"\n" for name, n in (("mean", 11), ("now", 4), ("deviation", 13))))
+scene = Advice(dt=4e-5, before="run 3000", after="include results")
+shown = re.search(r"pressure (\S+) \(mean over a strain of (\S+); single values scatter by (\S+)\)", scene.text)
+deck.expect_close("mean pressure, strain and scatter", [float(x) for x in shown.groups()],
+                  [scene.values["mean"], 0.12, scene.values["deviation"]], rtol=6e-3)
+deck.expect("  is not that of the last step", abs(scene.values["now"] / scene.values["mean"] - 1) > 0.02, scene.values)
+deck.expect_close("  Iv of it", scene.number("Iv ="), 1 / scene.values["mean"], rtol=6e-3)
+scene.warns("started", "box is small", "near the stability limit", "the pressure is a mean over a strain of 0.12 only")
+
+# a critical load: before a run the pressure has two bounds, and lines follow what holds at both
+slip, rub = (1 / (jam_of / phi - 1)**2 for jam_of in (0.6301, jam))
+for law, load, friction, critical, words, why in (
+        ("step", 1e6, "not needed", "not needed", "friction none", "no contact reaches its critical load"),
+        ("step", 1e-3, "needed", "not needed", "friction coulomb 0.5", "P a^2/F"),
+        ("step", 20, "needed", "needed", "friction clm step 0.5 20", "P a^2/F"),
+        ("step", 10, "needed", "cannot tell", "friction clm step 0.5 10", "run first, or give pressure P"),
+        ("step", 1000, "cannot tell", "cannot tell", "friction clm step 0.5 1000", "run first, or give pressure P"),
+        ("shift", 1e-3, "needed", "needed", "friction clm shift 0.5 0.001", "act at every load"),
+        ("ramp", 1e6, "needed", "needed", "friction clm ramp 0.5 1000000", "act at every load")):
+    scene = Advice(coeff=f"roughness 0.01 friction clm {law} 0.5 {load}")
+    scene.expect(f"clm {law} {load}", friction=friction, critical_load=critical)
+    deck.expect("  why", why in scene.text)
+    found = re.search(r"friction (none|coulomb.*|clm.*)$", re.search(r"^  pair_coeff.*$", scene.lines, re.MULTILINE).group(0)).group(0)
+    deck.expect("  the line follows", found == words, found)
+    gone = re.search(r"# left out, not needed by the table above: (.*)$", scene.lines, re.MULTILINE).group(1)
+    deck.expect("  and says what is left out", ("critical load" in gone) == ("clm" not in words) and ("friction" in gone) == ("none" in words), gone)
+    shown = [float(x) for x in re.search(r"pressure (\S+) to (\S+) \(estimated", scene.text).groups()]
+    deck.expect_close("  bounds of the pressure", shown, [slip, rub], rtol=6e-3)
+# once the pressure is known they are one
+scene = Advice(coeff="roughness 0.01 friction clm step 0.5 1000", words="pressure 15")
+scene.expect("clm, pressure given", friction="not needed", critical_load="not needed")
+deck.expect("  the line follows", "friction none" in scene.lines, scene.lines)
+# a film that is needed is on in the lines
+scene = Advice(range="cut 0.5 shear no")
+deck.expect("a film that is off", "pair_style lubcontact 1 cut 0.5 twist no\n" in scene.lines and "# needed, but off so far: shear" in scene.lines,
+            scene.lines)
+
+# short
+scene = Advice(words="brief")
+deck.expect("brief: verdicts, warnings, lines", len(scene.answers) == len(EFFECTS) and "Deck lines to use" in scene.text and
+            "what is there" not in scene.text and "Dimensionless" not in scene.text)
 
 # the same at an imposed pressure, viscous number, and with a temperature: kT = T in these units
 scene = Advice(flow="fix flow all deform/rheometer iv 0.2 pressure 5.0", words="temperature 0.01 fluid_density 0.3 critical 50 repulsion 0.1 adhesion 30")
@@ -85,6 +130,31 @@ deck.expect("iv: length of the repulsion", "  # add to pair_coeff: repulsion 30 
 deck.expect("iv: nothing to add", "# add to" not in Advice(flow="fix flow all deform/rheometer iv 0.2 pressure 5.0").lines)
 scene = Advice(words="temperature 0.1")
 scene.expect("warm", Brownian_motion="beyond this package")
+
+# dry grains by a variable, which a run has evaluated
+scene = Advice(viscosity="v_dry", flow="fix flow all deform/rheometer rate 1.0 pressure 100 viscosity v_dry")
+scene.expect("dry by variable, before a run", squeeze_film="cannot tell")
+scene = Advice(viscosity="v_dry", flow="fix flow all deform/rheometer rate 1.0 pressure 100 viscosity v_dry", before="run 0")
+scene.expect("dry by variable", squeeze_film="not needed", shear_film="not needed", roughness="not needed")
+text = deck.run("in.scene_advice", viscosity="v_dry", flow="fix flow all deform/rheometer rate 1.0 pressure 100 viscosity v_dry", before="run 0",
+                words="measure 10").text
+deck.expect("dry by variable: measured", "everything on" in text and "nan" not in text[text.index("steps of a copy"):])
+
+# particles that fall: no advice for shear
+GRAVITY = "fix pull all gravity 9.81 vector 0 -1 0"
+scene = Advice(flow=GRAVITY, before="run 0", words="fluid_density 0.02 temperature 0.01")
+speed = 2 / 9 * 0.05 * 9.81 * a**2
+for name, value in (("Stokes' velocity", speed), ("with buoyancy", 0.6 * speed), ("time until then", speed / 9.81), ("St = rho a v", 0.05 * a * speed),
+                    ("Re = rho_f a v", 0.02 * a * speed), ("Pe = m g a", 0.05 * 9.81 * 4 / 3 * np.pi * a**4 / 0.01)):
+    deck.expect_close(f"falling: {name}", scene.number(name), value, rtol=6e-3)
+scene.expect("falling", squeeze_film="needed", shear_film="cannot tell", friction="cannot tell", drag="needed", particle_inertia="cannot tell",
+             far_hydrodynamics="accuracy limited", fluid_inertia="not needed", elastic_compliance="cannot tell")
+deck.expect("falling: no lines", "No deck lines: this scene is not sheared" in scene.text and "pair_style" not in scene.text)
+deck.expect("falling: what gravity is", "gravity 9.81 (fix pull)" in scene.text and "of the whole box" in scene.text)
+scene = Advice(flow=f'if "1 == 1" then "fix flow all deform/rheometer rate 1.0 volume" "{GRAVITY}"')
+scene.warns("falling and sheared", "box is small", "what gravity does (fix pull) is in none of them")
+scene = Advice(flow="print none")
+deck.expect("no flow: no lines", "No deck lines: what may be left out was measured in shear" in scene.text)
 
 # dry grains
 scene = Advice(viscosity=0.0, flow="fix flow all deform/rheometer rate 1.0 pressure 100 viscosity 0")
@@ -115,8 +185,16 @@ scene.expect("soft", elastic_compliance="needed")
 scene.warns("soft", "asperities are crushed flat", "the time step exceeds", "box is small")
 deck.expect("soft: a shorter step", re.search(r"^  timestep \S+$", scene.lines, re.MULTILINE) is not None)
 
-# quasi-static: squeeze films carry nothing
-Advice(flow="fix flow all deform/rheometer rate 1e-3 pressure 1.0").expect("slow", squeeze_film="not needed", shear_film="needed")
+# slow: squeeze films carry little, and were left out in a measurement; not where particles collide, nor nearer to jamming
+SLOW = {"flow": "fix flow all deform/rheometer rate 7e-3 pressure 1.0"}
+scene = Advice(**SLOW)
+scene.expect("slow", squeeze_film="not needed", shear_film="needed")
+deck.expect("slow: no room for inertia without it", " squeeze no" in scene.lines and float(re.search(r"density (\S+) allows", scene.lines).group(1)) < 8)
+for what, case in {"collisions": {**SLOW, "density": 72}, "near jamming": {"flow": "fix flow all deform/rheometer rate 1e-3 pressure 1.0"},
+                   "no friction": {**SLOW, "coeff": "roughness 0.01"}}.items():
+    scene = Advice(**case)
+    scene.expect(f"slow, {what}", squeeze_film="needed")
+    deck.expect("  and stays", "squeeze no" not in scene.lines, scene.lines)
 
 # fix deform knows some rates at once, others after a run; another pair style, with all in words
 for deform, before in (("erate 2.0", "print none"), (f"vel {2 * length}", "print none"), ("variable v_tilt v_speed", "run 1")):
@@ -145,12 +223,13 @@ deck.expect("units real: density and pressure as given", ", density 3\n" in scen
 
 # plates: rate and volume fraction of the fix, its pressure, imposed or measured
 for load in ("pressure 5", "gap"):
-    scene = Advice("in.plates", load=load)
+    scene = Advice("in.plates", load=load, steps=2500)
     shown = [float(x) for x in re.search(r"viscosity 1, rate (\S+), pressure (\S+)", scene.text).groups()]
     expected = [0.5, 5.0 if load != "gap" else scene.values["measured"]]
     deck.expect_close(f"plates, {load}: rate and pressure", shown, expected, rtol=6e-3)
     deck.expect_close(f"plates, {load}: volume fraction", float(re.search(r"box +phi ([^ ,]+),", scene.text).group(1)),
                       scene.values["phi"], rtol=6e-3)
     deck.expect("  walls", ", walls\n" in scene.text)
+    deck.expect("  a mean is doubtful", ("the pressure is a mean over a strain of 0.125 only" in scene.text) == (load == "gap"))
 deck.expect("nothing known", set(Advice(style="zero", flow="print none").answers.values()) == {"cannot tell"})
 deck.finish()

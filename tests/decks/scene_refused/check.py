@@ -3,13 +3,16 @@ import deck
 
 SHEAR = "fix shear all deform/rheometer rate 1.0 volume\n"
 GRAVITY = SHEAR + "fix pull all gravity 1.0 vector 0 -1 0\n"
+CHARGED = "clear\natom_style hybrid sphere charge\ncomm_modify vel yes\nregion box prism 0 12 0 12 0 12 0 0 0\ncreate_box 1 box\n" \
+    "create_atoms 1 single 6 6 6\nset group all diameter 2 density 1\npair_style lubcontact 1.0 cut 0.5\n" \
+    "pair_coeff * * 1e4 5e3 roughness 0.01\nfix move all nve/sphere\n" + SHEAR
 SLIPPERY = "pair_coeff * * 1e4 5e3 roughness 0.01\n"
 SMOOTH = "pair_coeff * * 1e4 5e3\n"
 HYBRID = "pair_style hybrid lubcontact 1.0 cut 0.5 zero 3.0\npair_coeff * * lubcontact 1e4 5e3 roughness 0.01\n"
 PLATES = "unfix move\ngroup lower id 1\ngroup upper id 2\ngroup between subtract all lower upper\n" \
     "fix move between nve/sphere\nfix cell between rheometer/plates lower upper rate 0.5 pressure 5\n"
 CASES = [    # lines, message, underlined word or None
-    ("suspension_scene rates 1", "Unknown suspension_scene keyword: rates; those that exist: measure, viscosity, rate", "rates"),
+    ("suspension_scene rates 1", "Unknown suspension_scene keyword: rates; those that exist: measure, brief, viscosity, rate", "rates"),
     ("suspension_scene rate", "missing argument", None),
     ("suspension_scene rate 0", "rate must be > 0, but is 0", "0"),
     ("suspension_scene temperature -1", "temperature must be >= 0, but is -1", "-1"),
@@ -28,6 +31,7 @@ CASES = [    # lines, message, underlined word or None
     (SHEAR + SMOOTH + "suspension_scene measure 10 adhesion 2", "types 1 1 have none: give them a roughness > 0", "adhesion"),
     (SHEAR + "suspension_scene measure 10 adhesion 1e4", "Suspension_scene measure, in its copy: ", None),    # breaks out of range
     ("suspension_scene measure friction 0.5", "needs a number of steps before keywords, not friction", "friction"),
+    ("suspension_scene brief tolerance 0.1", "brief cannot act with tolerance, which prints its settings only: remove one of them", None),
     ("suspension_scene tolerance 1", "is a relative error and must be < 1, but is 1", "1"),
     ("fix shear all deform/rheometer oscillate 0 1 3 volume\nsuspension_scene measure 10", "compares the viscosity of steady shear, but fix "
      "shear has: flow shear every 8 oscillate", None),
@@ -44,8 +48,23 @@ CASES = [    # lines, message, underlined word or None
      "cannot copy the dynamic group now of fix d; the advice without", None),
     (SHEAR + HYBRID + "suspension_scene measure 10", "lubcontact alone, but the pair style is hybrid; the advice without", None),
     (PLATES + "suspension_scene measure 10", "works in periodic cells and cannot copy the plates of fix cell; the advice without", None),
-    (GRAVITY + "suspension_scene measure 10", "cannot copy fix pull of style gravity; the advice without the word measure", None),
-    (SHEAR + "neigh_modify exclude type 1 1\nsuspension_scene measure 10", "cannot copy neigh_modify exclude", None),
+    (GRAVITY + "suspension_scene measure 10", "copies sheared suspensions with nothing else that acts, but cannot copy fix pull of style gravity: "
+     "unfix it if it does not matter; the advice without the word measure works here, too; or compare two runs of your own", None),
+    *((SHEAR + f"fix other all {style}\nsuspension_scene measure 10", f"cannot copy fix other of style {style.split()[0]}: unfix it", None)
+      for style in ("addforce 0 1 0", "setforce NULL NULL 0", "momentum 1 linear 1 1 1", "wall/lj93 ylo EDGE 1 1 1 pbc yes", "spring/self 1",
+                    "viscous 1", "langevin 1 1 1 4711", "dt/reset 1 NULL 1e-3 0.1", "move linear 1 0 0", "adapt 1 pair lubcontact friction * * v_one")),
+    *((SHEAR + setting + "\nsuspension_scene measure 10", f"measure cannot copy {name}; the advice without", None) for setting, name in (
+        ("neigh_modify exclude type 1 1", "neigh_modify exclude"),
+        ("group some id <= 100\natom_modify first some\nneigh_modify include some", "neigh_modify include"),
+        ("neigh_modify once yes", "neigh_modify once yes"),
+        ("group some id <= 100\natom_modify first some\ncomm_modify group some", "comm_modify group"),
+        ("pair_modify compute no", "pair_modify compute no"),
+        ("run_style respa 2 2", "run_style respa"),
+        ("neigh_modify once yes exclude type 1 1", "neigh_modify exclude, neigh_modify once yes"))),
+    (CHARGED + "suspension_scene measure 10", "what particles of atom_style hybrid sphere charge have beside those of atom_style sphere; the "
+     "advice without", None),
+    ("variable eta equal 1.0\npair_style lubcontact v_eta cut 0.5\npair_coeff * * 1e4 5e3 roughness 0.01\nfix shear all deform/rheometer rate 1.0 "
+     "volume viscosity 1\nsuspension_scene measure 10", "does not know the viscosity of the pair style before the first run: add run 0", None),
     (SHEAR + "pair_style zero 3.0\npair_coeff * *\nsuspension_scene measure 10", "alone, but the pair style is zero", None),
     # an error of the copy: its step is far too long
     (SHEAR + "timestep 0.5\nsuspension_scene measure 100", "Suspension_scene measure, in its copy: ", None),

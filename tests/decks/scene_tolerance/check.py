@@ -15,7 +15,7 @@ def advise(*words, **variables):
     """What the command says for each of the lists of words, in one run."""
     Path("ask").write_text("run 0 post no\n" + "".join(f"suspension_scene tolerance {word}\n" for word in words), encoding="ascii")
     text = deck.run("in.scene_tolerance", ranks=1, lines="ask", **variables).text
-    return re.findall(r"^(Settings for a viscosity.*?)(?=^Suspension scene:|^Total wall time|\Z)", text, re.MULTILINE | re.DOTALL)
+    return re.findall(r"^(Settings for a viscosity.*?)(?=^Settings for|^Total wall time|\Z)", text, re.MULTILINE | re.DOTALL)
 
 
 def number(text, what):

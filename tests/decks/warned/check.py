@@ -39,7 +39,12 @@ deck.expect("words that the lines do not set", "# for the scene with viscosity 3
 text = log(words="pressure 10 tolerance 0.2")
 deck.expect("no rate, no settings", "cannot tell: give the shear rate: rate g" in text and "nan" not in text[text.index("Settings"):])
 text = log(more="fix shear all deform/rheometer rate 1 volume", words="tolerance 0.2")
-deck.expect("pressure of the start", "times that of steady flow at this phi" in text)
+deck.expect("pressure of the start", "(estimated from phi); measured over a strain of 0.024, too short for a mean" in text)
+deck.expect("settings for a tolerance come once, without the advice", "Which effects" not in text and text.count("Suspension scene") == 0)
+text = log(more="fix shear all deform/rheometer rate 1 volume", coeffs="friction clm step 0.5 20", words="tolerance 0.2")
+deck.expect("no settings for a pressure that may be two", "cannot tell: the pressure, on which the stiffness rests, is not known before" in text)
+text = log(more="fix shear all deform/rheometer rate 1 volume", coeffs="friction clm step 0.5 20", words="tolerance 0.2 pressure 30")
+deck.expect("  but for a given one", "Deck lines to use" in text)
 
 # skin of the neighbor lists: LAMMPS' default is one length for all particles
 LONG = "times the largest radius: the lists are long and slow; use: neighbor 0."
