@@ -21,7 +21,6 @@
 #include "update.h"
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 using namespace LAMMPS_NS;
@@ -191,7 +190,7 @@ void FixNeighHistoryLubcontact::check_found() const
   if (all[0] == all[1]) return;
 
   // not those whose partner is gone
-  const auto alive = all_owners();
+  const auto alive = present_ids();
   mine[1] = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
     mine[1] += std::count_if(partner[i], partner[i] + npartner[i], [&](tagint id) {
@@ -215,11 +214,14 @@ void FixNeighHistoryLubcontact::check_found() const
 
 /* ---------------------------------------------------------------------- */
 
-std::unordered_set<tagint> FixNeighHistoryLubcontact::all_owners() const
+std::unordered_map<tagint, tagint> FixNeighHistoryLubcontact::present_ids() const
 {
-  std::vector<tagint> mine;
+  std::vector<tagint> mine;    // ID in the records, ID now
   for (int i = 0; i < atom->nlocal; i++)
-    if (owner[i].id) mine.push_back(owner[i].id);
+    if (owner[i].id) {
+      mine.push_back(owner[i].id);
+      mine.push_back(atom->tag[i]);
+    }
   const int n = static_cast<int>(mine.size());
   std::vector<int> counts(comm->nprocs), starts(comm->nprocs, 0);
   MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
@@ -228,7 +230,18 @@ std::unordered_set<tagint> FixNeighHistoryLubcontact::all_owners() const
   std::vector<tagint> all(starts.back() + counts.back());
   MPI_Allgatherv(mine.data(), n, MPI_LMP_TAGINT, all.data(), counts.data(), starts.data(),
                  MPI_LMP_TAGINT, world);
-  return {all.begin(), all.end()};
+  std::unordered_map<tagint, tagint> found;
+  for (std::size_t m = 0; m < all.size(); m += 2) found[all[m]] = all[m + 1];
+  return found;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixNeighHistoryLubcontact::adopt(int i, std::vector<double> &values)
+{
+  FixNeighHistory::unpack_exchange(i, values.data());
+  owner[i] = {atom->tag[i], atom->radius[i]};
+  maxexchange = (dnum + 1) * maxpartner + 1 + OWNER;
 }
 
 /* ----------------------------------------------------------------------
@@ -246,18 +259,6 @@ bigint FixNeighHistoryLubcontact::forget(int groupbit_forget)
   }
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   return all;
-}
-
-/* ---------------------------------------------------------------------- */
-
-bool FixNeighHistoryLubcontact::settled() const
-{
-  int mine = 1, all;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (npartner[i] && (owner[i].id != atom->tag[i] || owner[i].radius != atom->radius[i]))
-      mine = 0;
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, world);
-  return all != 0;
 }
 
 /* ---------------------------------------------------------------------- */

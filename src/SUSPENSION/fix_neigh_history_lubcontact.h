@@ -18,7 +18,7 @@ FixStyle(NEIGH_HISTORY/LUBCONTACT,FixNeighHistoryLubcontact);
 
 #include "fix_neigh_history.h"
 
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -49,9 +49,10 @@ class FixNeighHistoryLubcontact : public FixNeighHistory {
 
   void take_restart(
       const std::vector<std::vector<double>> &);    // of each atom; empty: as LAMMPS has them
+  void adopt(int, std::vector<double> &);    // number of partners of an atom, ID and values of each
+  std::unordered_map<tagint, tagint> present_ids() const;    // of the IDs that the records know
   bigint
   forget(int);    // records of the atoms in a group, and those of their partners; how many pairs
-  bool settled() const;    // do all ranks have the IDs and radii of the records?
 
  protected:
   struct Owner {
@@ -69,7 +70,6 @@ class FixNeighHistoryLubcontact : public FixNeighHistory {
   void drop_resized();
   void find_partners();
   void check_found() const;
-  std::unordered_set<tagint> all_owners() const;
   void record(int, const double *);
 };
 

@@ -3,6 +3,8 @@
 #ifndef LUBCONTACT_EFFECTS_H
 #define LUBCONTACT_EFFECTS_H
 
+#include <utility>
+
 namespace lubcontact {
 
 enum : unsigned {     // bits of a mask
@@ -22,6 +24,25 @@ constexpr unsigned canonical(unsigned mask)
 {
   return mask & FRICTION ? mask : mask & ~THRESHOLD;
 }
+
+// The loop is compiled for some combinations only. This is the one that has all effects of a mask; those
+// that it has besides do nothing: friction and critical load by their coefficients, films by ends of
+// infinity (without_films()).
+constexpr unsigned covering(unsigned mask)
+{
+  const unsigned exact = mask & (SQUEEZE | ADHESION | REPULSION);
+  if (mask & (ROLL | TWIST)) return exact | SHEAR | FRICTION | ROLL | TWIST | THRESHOLD;
+  if (mask & SHEAR) return exact | SHEAR | FRICTION | THRESHOLD;
+  if (mask & FRICTION) return exact | FRICTION | THRESHOLD;
+  return exact;
+}
+
+// All masks that cover some, with the extensions X of the normal mode.
+template <unsigned X>
+using Instances =
+    std::integer_sequence<unsigned, X, X | covering(FRICTION), X | covering(SHEAR),
+                          X | covering(ROLL), X | SQUEEZE, X | covering(SQUEEZE | FRICTION),
+                          X | covering(SQUEEZE | SHEAR), X | covering(SQUEEZE | ROLL)>;
 
 // History of a pair (i,j): doubles kept from step to step. Frame: laboratory.
 //   slot    size  meaning                               dimension  new pair        i <-> j

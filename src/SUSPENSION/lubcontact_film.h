@@ -89,6 +89,15 @@ inline Film make_film(double viscosity, double range, Range rule, double roll_co
   return f;
 }
 
+// The same without the films that are off.
+inline Film without_films(Film f, bool shear, bool roll, bool twist)
+{
+  if (!shear) f.shear_end = HUGE_VAL;
+  if (!roll) f.roll_end = HUGE_VAL;
+  if (!twist) f.twist_end = -HUGE_VAL;
+  return f;
+}
+
 }    // namespace lubcontact
 
 #endif

@@ -47,7 +47,7 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     critical(nullptr), adhesion(nullptr), repulsion(nullptr), screening(nullptr), coeffs(nullptr),
     reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
     fix_history(nullptr), history_place(nullptr), reported(false), partition_now(false),
-    partition_atom_now(false), power_now(false), ghosts_of_user(0.0), ghosts_raised(0.0), mask(0),
+    partition_atom_now(false), power_now(false), ghosts_of_user(0.0), ghosts_raised(0.0), mask(0), instance(0),
     size_history(0), history_layout(0), eval(nullptr), eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
@@ -177,6 +177,7 @@ void PairLubcontact::init_style()
                "Pair style lubcontact needs velocities of ghost atoms; add: comm_modify vel yes");
   check_variable();
   mask = choose_mask();
+  instance = lubcontact::covering(mask);
   choose_effects();
 
   if (update->whichflag == 2 && size_history)

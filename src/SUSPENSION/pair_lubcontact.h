@@ -104,7 +104,7 @@ class PairLubcontact : public Pair {
   };
   SurfaceForces surface_forces(int, int, double) const;
   double viscosity() const;                    // NaN for a variable not yet evaluated
-  unsigned effects() const { return mask; }    // of the last run: those of the history
+  unsigned effects() const { return instance; }    // of the last run: those of the history
   class FixNeighHistoryLubcontact *history() const { return fix_history; }    // or null
   bigint forget_history(int);    // of the particles in a group, from the next run on; records
   double dt_limit;         // at the last set-up, 0 before or since the coefficients have changed;
@@ -164,7 +164,7 @@ class PairLubcontact : public Pair {
   using Single = lubcontact::Load (PairLubcontact::*)(int, int, const lubcontact::PairGeometry &,
                                                       const double *, double &);
   using Exchange = void (*)(const double *, double *);
-  unsigned mask;
+  unsigned mask, instance;    // effects of the deck, and of the loop that covers them
   int size_history;
   int history_layout;    // which slots it has
   Eval eval;

@@ -327,7 +327,9 @@ void PairLubcontact::update_viscosity()
       error->all(FLERR, "Viscosity of pair style lubcontact must be >= 0, but variable {} is {}",
                  eta_name, eta);
   }
-  *film = lubcontact::make_film(eta, hc, static_cast<lubcontact::Range>(range_rule), roll_coeff);
+  *film = lubcontact::without_films(
+      lubcontact::make_film(eta, hc, static_cast<lubcontact::Range>(range_rule), roll_coeff),
+      mode[SHEAR], mode[ROLL], mode[TWIST]);
 }
 
 /* ---------------------------------------------------------------------- */

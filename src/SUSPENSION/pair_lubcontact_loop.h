@@ -7,7 +7,7 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop of pair style lubcontact over the pairs, one instance per combination of effects.
+// The loop of pair style lubcontact over the pairs, one instance per covering combination of effects.
 
 #ifndef LMP_PAIR_LUBCONTACT_LOOP_H
 #define LMP_PAIR_LUBCONTACT_LOOP_H
@@ -328,8 +328,8 @@ Load PairLubcontact::single_effects(int i, int j, const PairGeometry &geometry,
 }
 
 /* ----------------------------------------------------------------------
-   table of all combinations of effects with these extensions of the normal mode; the style keeps the
-   one it needs. Four files share the work of compiling them
+   table of the instances with these extensions of the normal mode; the style keeps the one it needs.
+   Four files share the work of compiling them
 ------------------------------------------------------------------------- */
 
 template <unsigned... MASK>
@@ -343,7 +343,7 @@ void PairLubcontact::choose_among(std::integer_sequence<unsigned, MASK...>)
   static constexpr int sizes[] = {Effects<MASK>::HISTORY_SIZE...};
   static constexpr int layouts[] = {Effects<MASK>::LAYOUT...};
   for (std::size_t m = 0; m < sizeof...(MASK); m++) {
-    if (masks[m] != mask) continue;
+    if (masks[m] != instance) continue;
     eval = evals[m];
     eval_single = singles[m];
     exchange = exchanges[m];
@@ -352,16 +352,9 @@ void PairLubcontact::choose_among(std::integer_sequence<unsigned, MASK...>)
   }
 }
 
-template <unsigned EXTENSIONS, unsigned... BITS>
-static constexpr auto combinations(std::integer_sequence<unsigned, BITS...>)
-{
-  return std::integer_sequence<unsigned, lubcontact::canonical(BITS | EXTENSIONS)...>();
-}
-
 template <unsigned EXTENSIONS> void PairLubcontact::choose_extended()
 {
-  using lubcontact::ADHESION;    // the first of the bits that extend the normal mode
-  choose_among(combinations<EXTENSIONS>(std::make_integer_sequence<unsigned, ADHESION>()));
+  choose_among(lubcontact::Instances<EXTENSIONS>());
 }
 
 #endif

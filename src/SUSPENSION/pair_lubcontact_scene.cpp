@@ -101,7 +101,7 @@ void PairLubcontact::switch_on(const Laws &laws, double a)
 void PairLubcontact::adopt_history(unsigned from, const double *old, int itype, int jtype,
                                    double ri, double rj, double r, double *next) const
 {
-  scene::adopt_history(from, mask, coeffs[itype][jtype].normal, effective_radius(ri, rj),
+  scene::adopt_history(from, instance, coeffs[itype][jtype].normal, effective_radius(ri, rj),
                        r - ri - rj, old, next);
 }
 

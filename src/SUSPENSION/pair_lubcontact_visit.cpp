@@ -27,11 +27,28 @@ using lubcontact::Vec3;
 using PresentLoad = Load (*)(const PairCoeffs &, const Film &, const PairGeometry &,
                              const double *);
 
-template <std::size_t... MASK>
-static PresentLoad present_load(unsigned mask, std::index_sequence<MASK...>)
+template <unsigned... MASK>
+static PresentLoad present_load(unsigned instance, std::integer_sequence<unsigned, MASK...>)
 {
-  static constexpr PresentLoad loads[] = {&lubcontact::pair_load<lubcontact::Effects<MASK>>...};
-  return loads[mask];
+  PresentLoad load = nullptr;
+  ((MASK == instance ? void(load = &lubcontact::pair_load<lubcontact::Effects<MASK>>) : void()),
+   ...);
+  return load;
+}
+
+static PresentLoad present_load(unsigned instance)
+{
+  using lubcontact::ADHESION, lubcontact::REPULSION, lubcontact::Instances;
+  switch (instance & (ADHESION | REPULSION)) {
+    case 0:
+      return present_load(instance, Instances<0>());
+    case ADHESION:
+      return present_load(instance, Instances<ADHESION>());
+    case REPULSION:
+      return present_load(instance, Instances<REPULSION>());
+    default:
+      return present_load(instance, Instances<ADHESION | REPULSION>());
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -41,8 +58,7 @@ static PresentLoad present_load(unsigned mask, std::index_sequence<MASK...>)
 
 void PairLubcontact::visit_pairs(const Visitor &visit) const
 {
-  const PresentLoad load =
-      present_load(mask, std::make_index_sequence<lubcontact::NUM_COMBINATIONS>());
+  const PresentLoad load = present_load(instance);
   const double *const *x = atom->x;
   const double *radius = atom->radius;
   auto vector = [](const double *a) {

@@ -156,28 +156,33 @@ void SceneInstance::copy_history(const PairLubcontact *from)
 
   const Atom *atom = original->atom;
   const auto spheres = all_spheres(original);
+  const auto names = source->present_ids();
   const int size = source->get_dnum(), new_size = target->get_dnum();
   std::vector<double> all, adopted;
   for (int i = 0; i < atom->nlocal; i++) {
     // number of partners, then ID and values of each
-    all.resize(1 + (1 + size) * (source->get_maxpartner() + 1));
-    const int length = source->pack_exchange(i, all.data());
-    adopted.assign(1, all[0]);
-    for (int m = 1; m < length; m += 1 + size) {
-      const Sphere &partner = spheres.at(static_cast<tagint>(ubuf(all[m]).i));
+    all.resize(1 + (1 + size) * (source->get_maxpartner() + 2));
+    source->pack_exchange(i, all.data());
+    adopted.assign(1, 0.0);
+    const int partners = static_cast<int>(all[0]);
+    for (int n = 0; n < partners; n++) {
+      const double *record = &all[1 + n * (1 + size)];
+      const auto name = names.find(static_cast<tagint>(ubuf(record[0]).i));
+      if (name == names.end()) continue;    // it is gone
+      const Sphere &partner = spheres.at(name->second);
       double near[3];
       original->domain->closest_image(atom->x[i], partner.x, near);
       const double d[3] = {atom->x[i][0] - near[0], atom->x[i][1] - near[1],
                            atom->x[i][2] - near[2]};
       const double r = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-      adopted.push_back(all[m]);
+      adopted[0] += 1.0;
+      adopted.push_back(ubuf(name->second).d);
       adopted.resize(adopted.size() + new_size);
-      to->adopt_history(from->effects(), &all[m + 1], atom->type[i], partner.type, atom->radius[i],
+      to->adopt_history(from->effects(), record + 1, atom->type[i], partner.type, atom->radius[i],
                         partner.radius, r, adopted.data() + adopted.size() - new_size);
     }
-    target->unpack_exchange(i, adopted.data());
+    target->adopt(i, adopted);
   }
-  target->maxexchange = (target->get_dnum() + 1) * target->get_maxpartner() + 1;
 }
 
 /* ----------------------------------------------------------------------
