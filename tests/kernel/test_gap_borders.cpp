@@ -236,3 +236,13 @@ TEST(GapCrossing, IsFoundToTenDigitsHoweverFlat)
     }
   }
 }
+
+TEST(GapBranch, SaysWhetherTheAsperitiesHold)
+{
+  const GapLaw law = make_law(2.0, 0.05);
+  EXPECT_EQ(gap_branch(law, true, gap_of(-4.0), 0.01, 0.01, 0.1).bond, 1.0);
+  EXPECT_EQ(gap_branch(law, false, gap_of(-2.0), 0.1, 0.1, 0.1).bond, 0.0);
+  // across the border and back again, as it is crossed
+  EXPECT_EQ(gap_step(law, gap_of(-2.9), -0.1, -0.1, 20.0).bond, 1.0);
+  EXPECT_EQ(gap_step(law, gap_of(-3.1), 0.3, 0.3, 20.0).bond, 0.0);
+}

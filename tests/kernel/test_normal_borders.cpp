@@ -132,3 +132,44 @@ TEST(NormalForce, BelongsToTheAsperitiesBelowTheirHeightOnly)
   EXPECT_EQ(normal_force<REPULSION>(smooth, a, -0.1, a * 1.01e-8, false).contact, 0.0);
   EXPECT_EQ(normal_force<REPULSION>(smooth, a, 0.1, a * 1e-8, false).contact, 0.0);
 }
+
+TEST(ElasticGap, OfEveryExtensionBalancesItsSprings)
+{
+  // A u = un + alpha eps + p exp(-k u) if the asperities hold, else u = un + p exp(-k u)
+  NormalCoeffs c = make_coeffs(100.0, 300.0, 0.02);
+  const double a = 2.0;
+  EXPECT_NEAR(elastic_gap<ADHESION>(c, a, 0.04, true), 0.025, 1e-16);
+  EXPECT_EQ(elastic_gap<ADHESION>(c, a, 0.04, false), 0.04);
+  for (const bool bond : {false, true})
+    EXPECT_EQ(elastic_gap<ADHESION>(c, a, -0.1, bond), 1e-8) << "crushed";
+  c.repulsion = {0.5, 25.0};
+  const double p = 0.5 / 200.0, k = 50.0;
+  for (const double un : {0.01, 0.0195, 0.04}) {
+    const double free = elastic_gap<ADHESION | REPULSION>(c, a, un, false);
+    const double held = elastic_gap<ADHESION | REPULSION>(c, a, un, true);
+    EXPECT_NEAR(free, un + p * std::exp(-k * free), 1e-15);
+    EXPECT_NEAR(4.0 * held, un + 0.06 + p * std::exp(-k * held), 1e-15);
+    EXPECT_EQ(elastic_gap<REPULSION>(c, a, un, false), un < 0.0195 ? held : free) << un;
+  }
+}
+
+TEST(Adhesion, TheBondDecidesNotTheGap)
+{
+  NormalCoeffs c = make_coeffs(50.0, 100.0, 0.02);
+  c.gap.release = 0.03;
+  c.gap.ln_release = std::log(0.03);
+  const Film shifted = make_film(2.0, 0.5, Range::SHIFTED, 0.6);
+  const double u = 0.025, h = 0.7 * 50.0 / (PI_ * 9.0), half = 0.5 * h / (1.0 - u / 0.5);
+  for (const double bond : {0.0, 1.0}) {
+    const double A = 1.0 + 2.0 * bond, r = 0.1 + 0.04 * bond;
+    const double middle = u * (1.0 + half * r) / (1.0 + half * A * u);
+    EXPECT_NEAR(film_steps<ADHESION>(c, shifted, 3.0, {u, std::log(u), bond}, 0.1, 0.1, 0.7),
+                h / (1.0 - middle / 0.5), 1e-12);
+    // dry: held up to eps + (1 + alpha) delta = 0.05
+    const Film none = make_film(0.0, 2.0, Range::CUT, 0.6);
+    const Gap held = next_gap<ADHESION>(c, none, 3.0, {u, std::log(u), bond}, 0.04, 0.04, 0.1);
+    EXPECT_EQ(held.bond, bond);
+    EXPECT_EQ(next_gap<ADHESION>(c, none, 3.0, held, 0.04, 0.051, 0.1).bond, 0.0);
+    EXPECT_EQ(next_gap<ADHESION>(c, none, 3.0, held, 0.04, 0.019, 0.1).bond, 1.0);
+  }
+}
