@@ -74,20 +74,28 @@ TEST(Repulsion, ChangesLittleWithinAQuarterOfItsLength)
 
 TEST(Repulsion, ALongStepIsTakenInPiecesOfSmallChanges)
 {
-  // onto a repulsion of a hundredth of the way: as ten thousand steps do it, to second order
+  // onto a repulsion whose length is a hundredth of the way; oracle: dy/dt = un + p exp(-k u) - u by the
+  // rule of Runge and Kutta
   NormalCoeffs c = make_coeffs(1000.0, 1000.0, 0.0);
   c.repulsion = {20.0, 1000.0};
-  const Film f = make_film(1.0, 2.0, Range::CUT, 0.6);
-  for (const double speed : {0.1, 0.3}) {
-    auto end = [&](int steps) {
-      Gap gap{0.1, std::log(0.1)};
-      for (int n = 0; n < steps; n++)
-        gap = next_gap<REPULSION>(c, f, 1.0, gap, 0.1 - speed * n / steps,
-                                  0.1 - speed * (n + 1) / steps, 0.5 / steps);
-      return gap.ln_u;
-    };
-    EXPECT_NEAR(end(1), end(10000), 3e-3) << speed;
+  const double viscosity = 1.0, dt = 0.5, speed = 0.3, p = 0.02, k = 1000.0;
+  const double tau = 1.5 * PI_ * viscosity / 1000.0, h = dt / tau;
+  const int steps = 100000;
+  auto rate = [=](double t, double y) {
+    const double u = std::exp(y);
+    return h * (0.1 - speed * t + p * std::exp(-k * u) - u);
+  };
+  double y = std::log(0.1);
+  for (int n = 0; n < steps; n++) {
+    const double d = 1.0 / steps, t = n * d;
+    const double k1 = rate(t, y), k2 = rate(t + 0.5 * d, y + 0.5 * d * k1);
+    const double k3 = rate(t + 0.5 * d, y + 0.5 * d * k2), k4 = rate(t + d, y + d * k3);
+    y += d / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
   }
+  const Film f = make_film(viscosity, 2.0, Range::CUT, 0.6);
+  const double end =
+      next_gap<REPULSION>(c, f, 1.0, {0.1, std::log(0.1)}, 0.1, 0.1 - speed, dt).ln_u;
+  EXPECT_NEAR(end, y, 3e-3);
 }
 
 TEST(ElasticContact, BeginsAtTheRoughnessAndEndsWhereItsLoadWouldPassTheRelease)
@@ -131,6 +139,27 @@ TEST(NormalForce, BelongsToTheAsperitiesBelowTheirHeightOnly)
   EXPECT_GT(normal_force<REPULSION>(smooth, a, -0.1, a * 1e-8, false).contact, 0.0);
   EXPECT_EQ(normal_force<REPULSION>(smooth, a, -0.1, a * 1.01e-8, false).contact, 0.0);
   EXPECT_EQ(normal_force<REPULSION>(smooth, a, 0.1, a * 1e-8, false).contact, 0.0);
+}
+
+TEST(NormalForce, AndEnergyOfAsperitiesThatDoNotHoldAreTheBulks)
+{
+  NormalCoeffs c = make_coeffs(100.0, 50.0, 0.02);
+  const double a = 2.0, un = 0.01, u = 0.05, bulk = 0.5 * 100.0 * 0.04 * 0.04;
+  const NormalForce open = normal_force<ADHESION>(c, a, un, u, true, false);
+  EXPECT_EQ(open.contact, 0.0);
+  EXPECT_NEAR(open.film, 4.0, 1e-14);
+  EXPECT_EQ(open.repulsion, 0.0);
+  EXPECT_EQ(normal_force<ADHESION>(c, a, un, u, false, false).film, 0.0);
+  const NormalForce held = normal_force<ADHESION>(c, a, un, u, true, true);
+  EXPECT_NEAR(held.contact, -0.5, 1e-14);    // k (eps a - u)
+  EXPECT_NEAR(held.film, 4.5, 1e-14);
+  EXPECT_NEAR(normal_energy<ADHESION>(c, a, un, u, false), bulk, 1e-16);
+  EXPECT_NEAR(normal_energy<ADHESION>(c, a, un, u, true), bulk + 0.5 * 50.0 * 1e-4, 1e-16);
+  EXPECT_NEAR(normal_energy(c, a, un, u), bulk, 1e-16);
+  c.repulsion = {3.0, 20.0};
+  EXPECT_NEAR(normal_energy<REPULSION>(c, a, un, u), bulk + 3.0 / 20.0 * std::exp(-1.0), 1e-15);
+  EXPECT_NEAR(normal_force<REPULSION>(c, a, un, u, true).film, 4.0 - 3.0 * std::exp(-1.0), 1e-14);
+  EXPECT_EQ(normal_force<REPULSION>(c, a, un, u, true).contact, 0.0);
 }
 
 TEST(ElasticGap, OfEveryExtensionBalancesItsSprings)
