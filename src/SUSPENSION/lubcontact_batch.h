@@ -25,6 +25,20 @@ struct Batch {
   Lanes usual, force[3], torque_i[3], torque_j[3];
 };
 
+// Two spheres at rest that just touch, in every lane: one that no pair fills computes with these, and
+// does not divide by zero.
+inline Batch idle_batch()
+{
+  Batch b{};
+  for (int l = 0; l < Batch::WIDTH; l++) {
+    b.x[0][l] = 2.0;
+    b.radius_i[l] = b.radius_j[l] = b.a[l] = 1.0;
+    b.g[l] = b.asperity[l] = b.alpha[l] = b.kt[l] = 1.0;
+    b.per_screening[l] = 1.0;
+  }
+  return b;
+}
+
 inline Vec3 get_lane(const Batch::Lanes *from, int l)
 {
   return {from[0][l], from[1][l], from[2][l]};
@@ -62,16 +76,27 @@ template <class E> inline void step_lane(Batch &b, int l, const Film &f, double 
   }
 }
 
+// The lanes of a loop do not depend on each other.
+#if defined(__clang__)
+#define LUBCONTACT_INDEPENDENT_LANES _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define LUBCONTACT_INDEPENDENT_LANES _Pragma("GCC ivdep")
+#endif
+
 // Film by value: no store to the batch can change it.
 template <class E> inline void step_lanes(Batch &b, const Film f, double dt)
 {
-#pragma GCC ivdep
+  LUBCONTACT_INDEPENDENT_LANES
   for (int l = 0; l < Batch::WIDTH; l++) step_lane<E>(b, l, f, dt);
 }
 
 // Not for backward Euler.
 template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
 {
+  if (E::squeeze && f.viscosity == 0.0) {    // dry, all of them
+    for (double &usual : b.usual) usual = 0.0;
+    return;
+  }
   // constants of CUT, which save three divisions
   if (E::squeeze && f.shift == 0.0)
     step_lanes<E>(b, {f.viscosity, f.range, 0.0, 0.0, 0.0, 0.0, f.roll_coeff}, dt);

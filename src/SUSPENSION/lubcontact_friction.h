@@ -19,9 +19,9 @@ inline constexpr const char *FRICTION_NAME[] = {"none", "coulomb", "clm step", "
 
 // One formula for all laws, so that pairs with different ones share a vector of pairs.
 struct Threshold {
-  double least = 0.0;         // friction from this load on, force
-  double shift = 0.0;         // load that does not count, force
-  double per_ramp = 1e300;    // 1/load of full friction, 1/force
+  double least = 0.0;       // friction from this load on, force
+  double shift = 0.0;       // load that does not count, force
+  double per_ramp = 0.0;    // 1/load of full friction, 1/force; 0: no ramp
 };
 
 inline Threshold make_threshold(FrictionLaw law, double critical)
@@ -37,7 +37,8 @@ inline Threshold make_threshold(FrictionLaw law, double critical)
 inline double rubbing_load(const Threshold &t, double N)
 {
   const double share = N * t.per_ramp;
-  const double load = larger(0.0, N - t.shift) * (share < 1.0 ? share : 1.0);
+  const bool partly = (t.per_ramp > 0.0) & (share < 1.0);
+  const double load = larger(0.0, N - t.shift) * (partly ? share : 1.0);
   return N >= t.least ? load : 0.0;
 }
 

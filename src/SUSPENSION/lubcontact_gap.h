@@ -31,11 +31,16 @@ struct Gap {
   double bond = 0.0;    // ADHESION: the asperities hold
 };
 
-// phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s), |z| < 700.
+// phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s), |z| < 300.
 struct ExponentialMean {
   double phi;
   double mean_s2;
   double exp_minus_z;
+};
+
+struct LogExponentialMean {
+  double ln_phi;
+  double mean_s2;
 };
 
 // integral_0^1 exp(-z s) ds = sum (-z)^n/(n+1)!  and  integral_0^1 s^2 exp(-z s) ds
@@ -50,7 +55,7 @@ static constexpr double SHORT_EXP_SERIES[6] = {1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 /
 
 inline ExponentialMean exponential_mean(double z)
 {
-  const bool series = std::fabs(z) < 0.3;    // to rounding; the mean to 1e-11
+  const bool series = std::fabs(z) < 0.3;    // to rounding; the mean to 2e-11
   const double e = exponential(-z), lost = 1.0 - e;
   const double phi = polynomial(PHI_SERIES, -z), psi = polynomial(PSI_SERIES, -z);
   const double inverse = 1.0 / (series ? phi : z * z * lost);    // one division for all
@@ -60,15 +65,15 @@ inline ExponentialMean exponential_mean(double z)
 }
 
 // ln phi(z) instead of phi(z), for any z.
-inline ExponentialMean log_exponential_mean(double z)
+inline LogExponentialMean log_exponential_mean(double z)
 {
   if (std::fabs(z) < 30.0) {
     const ExponentialMean m = exponential_mean(z);
-    return {std::log(m.phi), m.mean_s2, m.exp_minus_z};
+    return {std::log(m.phi), m.mean_s2};
   }
-  if (z > 0.0) return {-std::log(z), 2.0 / (z * z), 0.0};
+  if (z > 0.0) return {-std::log(z), 2.0 / (z * z)};
   const double i = -1.0 / z;
-  return {-z + std::log(i), 1.0 - 2.0 * i + 2.0 * i * i, std::exp(-z)};
+  return {-z + std::log(i), 1.0 - 2.0 * i + 2.0 * i * i};
 }
 
 inline double log_add_exp(double a, double b)
@@ -76,12 +81,15 @@ inline double log_add_exp(double a, double b)
   return std::fmax(a, b) + std::log1p(std::exp(-std::fabs(a - b)));
 }
 
+// sqrt(pi) x exp(x^2) erfc(x) = sum (-1)^n (2n-1)!! (2 x^2)^-n, asymptotically
+static constexpr double ERFCX_SERIES[7] = {1.0, -1.0, 3.0, -15.0, 105.0, -945.0, 10395.0};
+
 // ln( exp(x^2) erfc(x) ) for x >= 0.
 inline double log_erfcx(double x)
 {
   static constexpr double LN_ROOT_PI = 0.57236494292470009;
   if (x < 20.0) return x * x + std::log(std::erfc(x));
-  return -LN_ROOT_PI - std::log(x * (1.0 + 0.5 / (x * x)));    // to 1e-5 of its variation
+  return std::log(polynomial(ERFCX_SERIES, 0.5 / (x * x)) / x) - LN_ROOT_PI;    // to rounding
 }
 
 // ln of integral_0^1 exp(-z s + D s^2) ds for D < 0, exact: a Gaussian cut at both ends.
@@ -103,21 +111,23 @@ inline double log_gaussian_integral(double z, double D)
 inline double gap_exponential_any(double y0, double r0, double r1, double A, double h)
 {
   const double D = 0.5 * h * (r1 - r0);
-  const ExponentialMean m = log_exponential_mean(h * r1);
+  const LogExponentialMean m = log_exponential_mean(h * r1);
   // the mean bounds the integral from below only, so that it must not be asked for a large fall
-  const double ln_I = D < -0.5 ? log_gaussian_integral(h * r1, D) : m.phi + D * m.mean_s2;
+  const double ln_I = D < -0.5 ? log_gaussian_integral(h * r1, D) : m.ln_phi + D * m.mean_s2;
   return -log_add_exp(-0.5 * h * (r0 + r1) - y0, std::log(A * h) + ln_I);
 }
 
 // The same where nothing can overflow, which is the usual case: u0/u1 = exp(-x) + A h I u0.
-// Branch-free; the result is void if usual becomes false.
+// Branch-free; the result is void if usual becomes false, and nothing overflows on the way to it.
 inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A, double h,
                                  bool &usual)
 {
   const double x = 0.5 * h * (r0 + r1);
-  const double D = 0.5 * h * (r1 - r0);
-  usual = usual & (std::fabs(x) < 30.0) & (std::fabs(D) < 1e-2) & (std::fabs(old.ln_u) < 300.0);
-  const ExponentialMean m = exponential_mean(x + D);
+  const double change = 0.5 * h * (r1 - r0);
+  usual =
+      usual & (std::fabs(x) < 30.0) & (std::fabs(change) < 1e-2) & (std::fabs(old.ln_u) < 300.0);
+  const double D = usual ? change : 0.0;
+  const ExponentialMean m = exponential_mean(usual ? x + D : 0.0);
   const double q = D * m.mean_s2;
   const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 4e-10 at |q| < 1e-2
   const double exp_D = polynomial(SHORT_EXP_SERIES, D);
@@ -251,8 +261,9 @@ inline bool in_contact(const GapLaw &law, const Gap &gap, double un0, double un1
 
 template <unsigned X = 0> inline bool crosses(const GapLaw &law, bool contact, double end)
 {
-  return (contact & (end > gap_border<X>(law, true).ln_u)) |
-      (!contact & (end < gap_border<X>(law, false).ln_u));
+  const bool opens = end > gap_border<X>(law, true).ln_u;
+  const bool closes = end < gap_border<X>(law, false).ln_u;
+  return (contact & opens) | (!contact & closes);
 }
 
 // The rest of a step that crosses the border, branch by branch. At u = eps both branches have the

@@ -191,7 +191,7 @@ inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, doub
   const bool touch = (X & ADHESION) ? bond : u < eps;
   const bool crushed = (u <= THINNEST * a) & (un < 0.0);
   const double pushed = (X & REPULSION) ? repulsion_force(c.repulsion, u) : 0.0;
-  const double dry = touch | crushed ? total - pushed : 0.0;
+  const double dry = (touch | crushed) ? total - pushed : 0.0;
   const double contact = touch ? c.asperity * (eps - u) : 0.0;
   return {film ? contact : dry, film ? total - contact - pushed : 0.0, pushed};
 }

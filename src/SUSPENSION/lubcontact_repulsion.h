@@ -31,9 +31,9 @@ inline double repulsion_energy(const Repulsion &p, double u)
 // y with y + ln y = L, which is Lambert's W(exp L), for L < 1e6; 0 below L = -600. Newton's rule.
 inline double lambert_of_exponential(double L)
 {
-  const double e = exponential(larger(-690.0, L < 1.0 ? L : 1.0));
+  const double M = larger(-690.0, L), e = exponential(M < 1.0 ? M : 1.0);
   double y = L < 1.0 ? e / (1.0 + e) : L - logarithm(larger(1.0, L));
-  for (int n = 0; n < 5; n++) y *= (1.0 + L - logarithm(y)) / (1.0 + y);
+  for (int n = 0; n < 5; n++) y *= (1.0 + M - logarithm(y)) / (1.0 + y);
   return L < -600.0 ? 0.0 : y;
 }
 

@@ -30,14 +30,15 @@ inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone0, double co
   // inside sticks until the border and slips for the share last/moved of the step; only
   // stiffness dt/resistance counts
   const double first = near - cone0, last = far - cone, moved = last - first;
-  const bool inside = (first < 0.0) & (cone > 0.0);
+  const bool slips = far > cone;
+  const bool inside = (first < 0.0) & (cone > 0.0) & slips;
   const Relaxation f =
       relaxation(resistance * (inside ? moved : 1.0), stiffness_dt * (inside ? last : 1.0));
   // slip along the trial direction
   const double left = larger(0.0, f.keep * first + f.gain * moved);
   const double size = cone + (inside ? f.gain * last : left);
-  const double ratio = size / far;
-  const Vec3 rubbed = (far <= cone ? 1.0 : ratio) * trial;    // stick: the film carries nothing
+  const double ratio = size / (slips ? far : 1.0);
+  const Vec3 rubbed = (slips ? ratio : 1.0) * trial;    // stick: the film carries nothing
   return select(cone > 0.0, rubbed, f.keep * q0 + f.gain * slip);
 }
 

@@ -49,7 +49,7 @@ static inline void add(const Vec3 &a, double *sum)
 // Pairs in range, in the order of the neighbor list. In every step all forces are added in this
 // order, whoever computes them: a set-up finds the sums of the run to the last bit.
 struct PairLubcontact::Queue {
-  Batch batch{};
+  Batch batch = lubcontact::idle_batch();
   int n = 0;
   int i[Batch::WIDTH], j[Batch::WIDTH];
   const PairCoeffs *coeffs[Batch::WIDTH];

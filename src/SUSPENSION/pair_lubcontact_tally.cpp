@@ -20,7 +20,7 @@ using namespace LAMMPS_NS;
 [[LUBCONTACT_EACH_PROCESSOR gnu::noinline]] static void add_products(const Batch &b,
                                                                      Batch::Lanes *sum)
 {
-#pragma GCC ivdep
+  LUBCONTACT_INDEPENDENT_LANES
   for (int l = 0; l < Batch::WIDTH; l++) {
     sum[0][l] += b.x[0][l] * b.force[0][l];
     sum[1][l] += b.x[1][l] * b.force[1][l];

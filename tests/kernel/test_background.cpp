@@ -125,4 +125,23 @@ TEST(Background, CellCarriesItsPointsAtAConstantVelocity)
   expect_near(cell_flow(RATE, Inverse(later).of, x, low, LOW_RATE).velocity, v, 1e-13);
 }
 
+TEST(Background, ProfilesHaveOneComponentAndEndAtTheirWalls)
+{
+  const double eps = 1e-9;
+  const Couette c{-1.0, 2.0, 3.0, 6.0};
+  const Poiseuille p{-1.0, 3.0, 5.0};
+  for (const double y : {-2.0, -1.0 - eps, -1.0, -1.0 + eps, 1.0, 3.0 - eps, 3.0, 3.0 + eps, 4.0}) {
+    const bool inside = y > -1.0 && y < 3.0;
+    for (const Flow &f : {couette_flow(c, y), poiseuille_flow(p, y), shear_flow(1.5, y)}) {
+      EXPECT_EQ(f.velocity.y, 0.0);
+      EXPECT_EQ(f.velocity.z, 0.0);
+      EXPECT_EQ(f.spin.x, 0.0);
+      EXPECT_EQ(f.spin.y, 0.0);
+    }
+    EXPECT_EQ(couette_flow(c, y).spin.z, inside ? -0.5 : 0.0) << y;
+    EXPECT_EQ(poiseuille_flow(p, y).spin.z != 0.0, inside && y != 1.0) << y;
+    EXPECT_NEAR(couette_flow(c, y).velocity.x, y < -1.0 ? 2.0 : y > 3.0 ? 6.0 : 3.0 + y, 1e-15);
+  }
+}
+
 }    // namespace

@@ -142,6 +142,18 @@ TEST(DragInVerlet, IsStableUpToTheLimitOfTheSpringWhateverTheDrag)
   }
 }
 
+TEST(DragInVerlet, MeansAreExactOnBothSidesOfTheBorderOfTheirSeries)
+{
+  // next terms: x^2/6 - x^3/24, and -x^2/12 + x^4/120
+  for (const double x : {1e-12, 9e-9, 9.99e-9, 1.001e-8, 2e-8, 9e-8, 1e-6, 1e-4}) {
+    const long double y = x;
+    const long double mean = 1.0L - y / 2.0L + y * y / 6.0L - y * y * y / 24.0L;
+    EXPECT_NEAR(mean_drag(x), static_cast<double>(mean), 2.3e-16) << x;
+    const long double full = 1.0L - y * y / 12.0L;
+    EXPECT_NEAR(mean_drag_full(x), static_cast<double>(full), 2.3e-16) << x;
+  }
+}
+
 // two particles on a spring, Euler steps: relative displacement d
 double after(double dt, double stiffness, double coefficient)
 {

@@ -63,3 +63,11 @@ TEST(Fabric, OfNothingIsZero)
 {
   for (int m = 0; m < FABRIC_SIZE; m++) EXPECT_EQ(Fabric().mean(m), 0.0);
 }
+
+TEST(Fabric, IsTheSymmetricProductOfBothDirections)
+{
+  Fabric f;
+  f.add(2.0, {1.0, 2.0, 3.0}, {5.0, 7.0, 11.0}, 4.0);
+  const double expected[FABRIC_SIZE] = {2.5, 7.0, 16.5, 4.25, 6.5, 10.75};
+  for (int m = 0; m < FABRIC_SIZE; m++) EXPECT_EQ(f.mean(m), expected[m]) << m;
+}

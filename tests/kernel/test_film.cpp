@@ -246,3 +246,9 @@ TEST(Film, UnderflowOfTheGapLeavesTheLogarithm)
   EXPECT_NEAR(roll_resistance(f, 1.0, 0.0, -1e4), 6e3, 1e-9);
   EXPECT_EQ(twist_resistance(f, 1.0, 0.0, -1e4), 0.0);
 }
+
+TEST(Film, TwistEndsAtOneRadiusAlsoWhereTheRangeIsLonger)
+{
+  EXPECT_EQ(make_film(1.0, 1.5, Range::SHIFTED, 0.6).twist_end, 0.0);
+  EXPECT_EQ(make_film(1.0, 0.5, Range::SHIFTED, 0.6).twist_end, std::log(0.5));
+}

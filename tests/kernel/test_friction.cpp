@@ -74,4 +74,5 @@ TEST(Friction, WithoutCriticalLoadEveryLawIsCoulombBitForBit)
     for (const FrictionLaw law : {FrictionLaw::STEP, FrictionLaw::SHIFT, FrictionLaw::RAMP})
       EXPECT_EQ(rubbing_load(make_threshold(law, 0.0), N), N);
   }
+  for (const double N : {0.0, 5e-324, 1.7e308}) EXPECT_EQ(rubbing_load(Threshold{}, N), N);
 }

@@ -89,6 +89,27 @@ TEST(MaterialFile, ErrorsOfPairsHaveTheirLineToo)
   expect_error(two + "pair Glass B modulus 3\n", "unknown property modulus", 8);
   expect_error(two + "pair Glass B friction none\npair B Glass friction none\n",
                "pair B Glass is there twice", 9);
+  expect_error(two + "pair Glass B friction none\npair Glass B roughness 1\n",
+               "pair Glass B is there twice", 9);
+  const std::string three = two + "material C\nmodulus 1\npoisson 0\n";
+  EXPECT_EQ(read(three + "pair Glass B roughness 1\npair Glass C roughness 1\n" +
+                 "pair C B roughness 1\n")
+                .error,
+            "");
+}
+
+TEST(MaterialFile, LimitsOfPoissonsRatioAndOfZero)
+{
+  for (const std::string poisson : {"-0.999999", "0.5"})
+    EXPECT_EQ(read("material A\nmodulus 1\npoisson " + poisson + "\n").error, "");
+  for (const std::string poisson : {"-1", "-1.000001", "0.5000001"})
+    expect_error("material A\npoisson " + poisson + "\n",
+                 "poisson must be above -1 and at most 0.5, but is " + poisson, 2);
+  expect_error(GLASS + "density 0\n", "density must be > 0, but is 0", 5);
+  EXPECT_EQ(read(GLASS + "roughness 0\nadhesion 0\n").error, "");
+  EXPECT_EQ(joined(surface_words(read(GLASS + "roughness 0\nadhesion 0\n").materials[0].surface,
+                                 1.0, SI)),
+            "roughness 0 adhesion 0");
 }
 
 TEST(MaterialFile, WordsAreThoseOfPairCoeffInUnitsOfLammps)
@@ -154,4 +175,20 @@ TEST(MaterialFile, WhatAPairLineSaysWins)
   EXPECT_EQ(s.screening, 3.0);
   EXPECT_NEAR(s.roughness, 2e-6, 1e-20);
   EXPECT_EQ(pair_surface(file, file.materials[0], file.materials[0]).friction.mu, 0.25);
+}
+
+TEST(MaterialFile, APairLineSaysOnlyWhatItSaysOfItsOwnPair)
+{
+  const MaterialFile file =
+      read(GLASS + "adhesion 1\nmaterial B\nmodulus 1\npoisson 0\nadhesion 3\n" +
+           "material C\nmodulus 1\npoisson 0\nadhesion 5\n" +
+           "pair Glass B adhesion 7\npair C Glass roughness 0\n");
+  auto adhesion = [&](int m, int n) {
+    return pair_surface(file, file.materials[m], file.materials[n]).adhesion;
+  };
+  EXPECT_EQ(adhesion(0, 1), 7.0);
+  EXPECT_EQ(adhesion(1, 0), 7.0);
+  EXPECT_EQ(adhesion(0, 2), 3.0);
+  EXPECT_EQ(adhesion(1, 2), 4.0);
+  EXPECT_EQ(pair_surface(file, file.materials[0], file.materials[2]).roughness, 0.0);
 }

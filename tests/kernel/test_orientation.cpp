@@ -90,3 +90,22 @@ TEST(Orientation, ABandKeepsTheDirectionsNearThePlane)
   }
   EXPECT_NEAR(inside / static_cast<double>(N), 0.3, 5.0 * std::sqrt(0.21 / N));    // equal zones
 }
+
+TEST(Orientation, BinsHaveTheirCentersAndBordersWhereTheySay)
+{
+  const DirectionBins bins = {Plane::XY, 5, 8, 1.0};
+  EXPECT_DOUBLE_EQ(bins.azimuth(0), PI_ / 16.0);
+  EXPECT_DOUBLE_EQ(bins.azimuth(11), 7.0 * PI_ / 16.0);
+  EXPECT_DOUBLE_EQ(std::cos(bins.polar_angle(0)), -0.8);
+  EXPECT_NEAR(std::cos(bins.polar_angle(20)), 0.0, 1e-15);
+  for (int border = 1; border < 5; border++)
+    for (const int side : {0, 1}) {
+      const double z = -1.0 + 0.4 * border + (side ? 1e-9 : -1e-9);
+      EXPECT_EQ(bins.find({std::sqrt(1.0 - z * z), 0.0, z}) / 8, border - 1 + side);
+    }
+  for (int border = 1; border < 8; border++)
+    for (const int side : {0, 1}) {
+      const double angle = PI_ * border / 8.0 + (side ? 1e-9 : -1e-9);
+      EXPECT_EQ(bins.find({std::cos(angle), std::sin(angle), 0.0}), 16 + border - 1 + side);
+    }
+}

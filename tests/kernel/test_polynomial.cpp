@@ -51,3 +51,47 @@ TEST(Polynomial, LogarithmAgreesWithLongDouble)
   for (const double x : {std::nextafter(root, 0.0), root, std::nextafter(root, 1.0)})
     EXPECT_NEAR(logarithm(x), std::log(x), 1e-16);
 }
+
+TEST(Polynomial, CoefficientsAreThoseOfTheSeries)
+{
+  for (int n = 0; n < 11; n++) EXPECT_DOUBLE_EQ(ARTANH_SERIES[n] * (2 * n + 1), 1.0) << n;
+  double factorial = 1.0;
+  for (int n = 0; n < 14; n++) {
+    if (n > 0) factorial *= n;
+    EXPECT_DOUBLE_EQ(EXP_SERIES[n] * factorial, 1.0) << n;
+  }
+  // high + low is ln 2 to twice the digits, and the high part has room for the exponent
+  EXPECT_NEAR(static_cast<double>(LN2_HIGH - std::log(2.0L) + LN2_LOW), 0.0, 1e-19);
+  EXPECT_EQ(bits_of(LN2_HIGH) & 0x7FF, 0u);
+}
+
+TEST(Polynomial, ErrorsNextToTheBordersAreRoundingAndCancelInTheMean)
+{
+  // what a term of the series adds there has one sign: left out, it would show in the mean
+  double exp_error[2] = {}, log_error[2] = {};
+  const int N = 100000;
+  Random rnd(3);
+  for (int n = 0; n < N; n++)
+    for (const int side : {0, 1}) {
+      // exp: remainders near -ln 2/2 and ln 2/2; ln: mantissas near the roots of 1/2 and 2
+      const double r = (side ? 0.5 : -0.5) * std::log(2.0) * rnd.uniform(0.98, 0.999999);
+      const long double exact = std::exp(static_cast<long double>(r));
+      exp_error[side] += static_cast<double>(exponential(r) / exact - 1.0L) / N;
+      const double m =
+          std::sqrt(side ? 2.0 : 0.5) * (1.0 + (side ? -1.0 : 1.0) * rnd.uniform(1e-6, 0.02));
+      const long double ln = std::log(static_cast<long double>(m));
+      log_error[side] += static_cast<double>(logarithm(m) / ln - 1.0L) / N;
+    }
+  for (const int side : {0, 1}) {
+    EXPECT_NEAR(exp_error[side], 0.0, 1e-17) << side;
+    EXPECT_NEAR(log_error[side], 0.0, 3e-17) << side;
+  }
+}
+
+TEST(Polynomial, ExponentialAndLogarithmReachAsFarAsTheySay)
+{
+  for (const double x : {-699.99, -690.0, 690.0, 699.99})
+    EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 5e-16) << x;
+  for (const double x : {2.3e-308, 1e-300, 1e300, 1.7e308})
+    EXPECT_NEAR(logarithm(x), std::log(x), 3e-16 * std::fabs(std::log(x))) << x;
+}

@@ -191,3 +191,22 @@ TEST(Power, AnAdhesiveContactThatBreaksLosesItsSprings)
   }
   EXPECT_NEAR(heat, lost_energy, 1e-2 * lost_energy);
 }
+
+TEST(Power, SpringsOfTheFilmsStoreHalfOfStiffnessTimesSquare)
+{
+  using E = Effects<SQUEEZE | SHEAR | ROLL | TWIST>;
+  const PairCoeffs c = make_coeffs();
+  const double a = 0.96, kr = 700.0 * a * a;
+  const PairGeometry g = pair_geometry({2.1, 0, 0}, {}, 1.2, 0.8, a);
+  double history[E::HISTORY_SIZE] = {};
+  first_history<E>(c, g, history);
+  history[E::SHEAR_SLOT + 1] = 0.003;
+  history[E::ROLL_SLOT + 2] = -0.02;
+  history[E::TWIST_SLOT] = 0.05;
+  const Load load = pair_load<E>(c, VISCOUS, g, history);
+  const Energies e = stored_energy<E>(c, g, load, history);
+  EXPECT_NEAR(e.of[SHEAR_FILM], 0.5 * 700.0 * 9e-6, 1e-14);
+  EXPECT_NEAR(e.of[ROLL_FILM], 0.5 * kr * 4e-4, 1e-14);
+  EXPECT_NEAR(e.of[TWIST_FILM], 0.5 * kr * 25e-4, 1e-14);
+  EXPECT_EQ(e.of[FRICTION_CONTACT], 0.0);
+}

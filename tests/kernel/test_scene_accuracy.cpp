@@ -148,3 +148,43 @@ TEST(SceneAccuracy, SaysWhereItEnds)
   s.friction = 0.0;
   EXPECT_EQ(remarks(0.3, s).size(), 2u);
 }
+
+TEST(SceneAccuracy, RemarksBeginAtTheirBorders)
+{
+  auto said = [](double tolerance, double phi, double friction) {
+    Scene s = base();
+    s.phi = phi;
+    s.friction = friction;
+    return remarks(tolerance, s).size();
+  };
+  EXPECT_EQ(said(0.1501, 0.5, 0.5), 0u);
+  EXPECT_EQ(said(0.1499, 0.5, 0.5), 1u);
+  EXPECT_EQ(said(0.0301, 0.5, 0.5), 1u);
+  EXPECT_EQ(said(0.0299, 0.5, 0.5), 2u);
+  for (const double phi : {0.3951, 0.5449}) EXPECT_EQ(said(0.3, phi, 0.5), 0u) << phi;
+  for (const double phi : {0.3949, 0.5451}) EXPECT_EQ(said(0.3, phi, 0.5), 1u) << phi;
+  for (const double friction : {0.301, 0.699}) EXPECT_EQ(said(0.3, 0.5, friction), 0u) << friction;
+  for (const double friction : {0.299, 0.701}) EXPECT_EQ(said(0.3, 0.5, friction), 1u) << friction;
+  Scene s = base();
+  EXPECT_NE(remarks(0.1, s)[0].find("within 15 %"), std::string::npos);
+  EXPECT_NE(remarks(0.01, s)[1].find("below 3 %"), std::string::npos);
+  EXPECT_TRUE(breaks_down(0.00461, 499.0));
+  EXPECT_FALSE(breaks_down(0.00459, 499.0));
+  EXPECT_FALSE(breaks_down(0.00461, 501.0));
+}
+
+// all numbers by hand: 1 %, room of half the rest for twice the scatter and the doubt
+TEST(SceneAccuracy, PromiseIsTheSumOfItsParts)
+{
+  Plan p;
+  p.change[0] = -0.01;
+  p.change[1] = 0.02;
+  p.doubt = 0.03;
+  p.scatter = 0.04;
+  EXPECT_DOUBLE_EQ(p.promised(), 0.03 + 2.0 * 0.05);
+  for (const double tolerance : TOLERANCES) {
+    const Plan q = plan_of(tolerance);
+    if (q.strain > SHORTEST) { EXPECT_NEAR(q.promised(), tolerance, 1e-12); }
+    EXPECT_EQ(q.change[NO_TWIST] != 0.0, !q.twist);
+  }
+}

@@ -112,3 +112,15 @@ TEST(SceneHistory, NewGapsFeelTheRepulsion)
   EXPECT_NEAR(3.0 * (u - 0.3), 0.6 * std::exp(-u / 0.4), 1e-12);
   EXPECT_GT(u, 0.33);
 }
+
+// un 0.25: open at 0.125, or held (0.75 + 0.3)/4.5/2, and the repulsion of either gap
+TEST(SceneHistory, NewGapsKeepTheirBondUnderRepulsionToo)
+{
+  NormalCoeffs c = sticky();
+  c.repulsion = {1e-3, 1.0 / 0.4};
+  const unsigned both = ADHESION | REPULSION;
+  const double held = adopt(both, SQUEEZE | both, 0.25, {1.0}, c)[0];
+  const double open = adopt(both, SQUEEZE | both, 0.25, {0.0}, c)[0];
+  EXPECT_NEAR(held, (3.0 * 0.25 + 1.5 * 0.2) / 4.5 / 2.0, 2e-4);
+  EXPECT_NEAR(open, 0.125, 2e-4);
+}

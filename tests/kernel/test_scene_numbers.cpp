@@ -121,3 +121,20 @@ TEST(SceneNumbers, GainOfFriction)
   EXPECT_LT(scene::friction_gain(0.05, 0.5), 0.05);
   EXPECT_TRUE(std::isinf(scene::friction_gain(0.6, 0.5)));
 }
+
+// to the digits of the laws: 0.6301 - 0.0794 (1 - 1/e), and 6 pi eta a^3 rate/kT
+TEST(SceneNumbers, CoefficientsOfTheLaws)
+{
+  EXPECT_NEAR(scene::jamming_fraction(0.4032), 0.57990962762900, 1e-12);
+  const double kT = 1.380649e-23 * 300.0;
+  EXPECT_NEAR(scene::numbers(beads()).Pe * kT / (1e-2 * 1.25e-13), 18.849555921538759, 1e-12);
+}
+
+TEST(SceneNumbers, NothingIsEstimatedAtTheBorders)
+{
+  EXPECT_FALSE(known(scene::viscous_number(0.55, 0.55)));
+  EXPECT_TRUE(known(scene::viscous_number(0.55, 0.5500001)));
+  Scene s = beads();
+  s.pressure = 0.0;
+  EXPECT_FALSE(known(scene::numbers(s).Iv));
+}

@@ -231,3 +231,20 @@ TEST(ShearSplit, SlipWithoutFilmIsCalledSlipDespiteRounding)
     EXPECT_EQ(shear_split(q, cone, true).state, ContactState::SLIP);
   }
 }
+
+TEST(ShearSplit, AMillionthOfAMillionthInsideTheConeIsSlip)
+{
+  for (const double cone : {1e-6, 1.0, 1e6}) {
+    EXPECT_EQ(shear_split({0.0, cone * (1.0 - 2e-12), 0.0}, cone, true).state, ContactState::STICK);
+    EXPECT_EQ(shear_split({0.0, cone * (1.0 - 5e-13), 0.0}, cone, true).state, ContactState::SLIP);
+  }
+}
+
+TEST(Shear, AContactAtRestInsideOrOnItsConeKeepsItsDisplacement)
+{
+  // also without any displacement, and where no film takes part
+  for (const double x : {0.0, 1.0, HUGE_VAL})
+    for (const double size : {0.0, 1e-310, 0.5, 1.0})
+      expect_same(next({size, 0.0, 0.0}, {}, 1.0, x), {size, 0.0, 0.0});
+  expect_same(next_shear({}, {}, 0.0, 0.0, 1.0, 2.0), {});
+}

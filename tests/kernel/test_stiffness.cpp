@@ -80,8 +80,33 @@ TEST(Stiffness, BoundsTheFrequencyOfAnyPairAndNotByMuch)
     Springs sliding = springs_of(p);
     for (double &r : sliding.roll) r = 0.0;
     const PairStiffness bare = pair_stiffness(0.0, 1.0, SPIN_OF_INERTIA, p, ri, rj, false, false);
-    ASSERT_GE(bound(bare, mi, mj), largest(sliding, {mi, mj, Ji, Jj}) * (1.0 - 1e-9));
+    const double slides = largest(sliding, {mi, mj, Ji, Jj});
+    ASSERT_GE(bound(bare, mi, mj), slides * (1.0 - 1e-9));
+    // and with the twisting film alone sliding and twisting
+    const PairStiffness spun = pair_stiffness(0.0, 1.0, SPIN_OF_INERTIA, p, ri, rj, false, true);
+    ASSERT_GE(bound(spun, mi, mj), std::fmax(slides, twisting) * (1.0 - 1e-9));
   }
   // a heavy partner moves half as much as the bound allows
   EXPECT_LT(loosest, 2.5);
+}
+
+TEST(Stiffness, OfTheSphereThatSpinsMoreEasilyIsThatOfASphereOfItsOwn)
+{
+  // without rolling and twisting sliding and spinning balance at t = 1/q: k = kt (1 + q)
+  for (const double gap : {0.0, 0.3})
+    for (const double rj : {2.0, 50.0}) {
+      const double a = effective_radius(Radius::HARMONIC, 1.0, rj);
+      const PairGeometry p = pair_geometry({1.0 + rj + gap, 0, 0}, {}, 1.0, rj, a);
+      const PairGeometry o = pair_geometry({1.0 + rj + gap, 0, 0}, {}, rj, 1.0, a);
+      const double q = 2.5 * (1.0 + 0.5 * gap) * (1.0 + 0.5 * gap);
+      EXPECT_NEAR(pair_stiffness(0.0, 3.0, 2.5, p, 1.0, rj, false, false).i, 3.0 * (1.0 + q),
+                  1e-12);
+      EXPECT_NEAR(pair_stiffness(0.0, 3.0, 2.5, o, rj, 1.0, false, false).j, 3.0 * (1.0 + q),
+                  1e-12);
+      // beside a large sphere twisting is stiffer: q (b^2 + b_i b_j)/2
+      const double bi = a / p.arm_i, bj = a / p.arm_j;
+      const double twisting = 0.5 * q * (bi * bi + bi * bj);
+      EXPECT_NEAR(pair_stiffness(0.0, 3.0, 2.5, p, 1.0, rj, false, true).i,
+                  3.0 * std::fmax(1.0 + q, twisting), 1e-12);
+    }
 }
