@@ -51,7 +51,7 @@ quietly() {
 # How far ninja is, every ten seconds: the last [done/all] in its log. In the background of run_ninja.
 show_progress() {
   local what=$1 log=$2 begin=$SECONDS step
-  while sleep 10; do
+  while sleep 10 >/dev/null 2>&1; do    # which may outlive us: it keeps no pipe open
     step=$(grep -aoE '^\[[0-9]+/[0-9]+\]' "$log" | tail -n 1 || true)
     say "$what ${step:-[...]} after $((SECONDS - begin)) s"
   done
