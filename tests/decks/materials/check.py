@@ -178,6 +178,7 @@ for coeff, message, word in (
         ("* * clm.lubcontact NULL Glass B radius 1 friction none roughness 0 hardness 3",
          "Unknown pair_coeff lubcontact keyword: hardness", "parsed")):
     refused(coeff, message, word)
+refused(f"{FILE} Glass Plastic Glass roughness 0", "friction cannot act: surfaces of roughness 0", None)
 refused(NAMES, "under units lj add scale M L T", "test.lubcontact", units="lj")
 refused(NAMES, "or lj with scale, not for units real", None, units="real")
 

@@ -54,6 +54,7 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"coeff": COEFF + " friction coulomb 0.5", "extra": "minimize 0 0 10 10"}, "can be minimized only", None),
     ({"coeff": "1 1 1e4 5e3 friction coulomb 0.5\npair_coeff 2 2 1e4 5e3 friction clm step 0.1 1\npair_coeff 1 2 1e4 5e3"},
      "friction cannot act", None),
+    ({"coeff": "1 1 1e4 5e3 friction coulomb 0.5\npair_coeff 2 2 1e4 5e3 friction coulomb 0.1"}, "friction cannot act", None),    # mixed
     ({"coeff": COEFF + " asperity 2e4"}, "asperity cannot act: it is the stiffness of asperities, but the roughness is 0", None),
     ({"style": STYLE + " squeeze no", "coeff": COEFF + " friction coulomb 0.5 asperity 2e4"}, "asperity cannot act", None),
     ({"style": "hybrid/scaled 0.5 lubcontact 1.0 cut 0.5 0.5 zero 2.0", "coeff": "* * lubcontact 1e4 5e3\npair_coeff * * zero"},

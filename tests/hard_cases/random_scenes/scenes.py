@@ -1,4 +1,6 @@
 """Random small scenes: a cluster of spheres or discs, 2 to 40, with every law of the pair style drawn by its seed."""
+import re
+
 import numpy as np
 
 BOX = 60.0    # half of it, length
@@ -78,6 +80,11 @@ class Scene:
             self.coeffs.append(words)
             self.mu.append(mu if self.friction != "none" else 0.0)
             self.stiffest = max(self.stiffest, g, kt)
+        if all("roughness 0 " in words for words in self.coeffs):    # what cannot act is refused
+            self.coeffs = [re.sub(r" asperity \S+", "", words) for words in self.coeffs]
+            if self.squeeze:
+                self.coeffs = [re.sub(r" friction (none|coulomb \S+|clm \S+ \S+ \S+)", " friction none", words) for words in self.coeffs]
+                self.friction, self.mu = "none", [0.0, 0.0]
 
     def words(self):
         return f"seed {self.seed}: N {len(self.x)} dim {self.dim} {self.style} | " + " | ".join(self.coeffs)
