@@ -65,6 +65,8 @@ HELD = {"base": {}, "time step 0.075": {"fraction": "0.075", "strain": 7}, "time
         "stiffness 1e5": {"stiffness": "1e5"}, "stiffness 3e4": {"stiffness": "3e4"}, "St 0.05": {"stokes": "0.05", "strain": 5},
         "St 5": {"stokes": "5"}, "left out twist": {"modes": "twist no"}, "left out roll": {"modes": "roll no"},
         "range cut 1": {"range": "cut 1"}}
+# the squeeze film left out near jamming, with and without inertia
+SQUEEZE = {("0.54", "0.05"): (1, "8e5", 6), ("0.54", "0.5"): (1, "8e5", 7), ("0.5", "0.05"): (1, "1e5", 7)}
 SHORTS = {"exponential": {}, "euler": {"modes": "gap euler"}, "exponential, St 0.05": {"stokes": "0.05"},
           "exponential, g 1e5": {"stiffness": "1e5"}}
 STEPS = ("0.01", "0.019", "0.0375", "0.075", "0.15", "0.2", "0.25", "0.3")
@@ -100,7 +102,7 @@ def state(states, particles, phi, seed, stiffness, stokes):
 def measure(states, name, knob, value, seed, variables):
     """A row of the table."""
     v = {**BASE, **variables}
-    own = name in ("volume fraction", "short", "scatter", "size")    # the others begin at the base settings
+    own = name in ("volume fraction", "short", "scatter", "size", "squeeze")    # the others begin at the base settings
     file = state(states, v["N"], v["phi"], seed, (v if own else BASE)["stiffness"], (v if name in ("scatter", "size") else BASE)["stokes"])
     row = dict.fromkeys(FIELDS, "")
     row.update({"set": name, "knob": knob, "value": value, "seed": seed, "particles": v["N"], "phi": v["phi"]})
@@ -148,6 +150,12 @@ def cases(wanted):
             for value, (seeds, variables) in SCATTER.items():
                 for seed in range(1, seeds + 1):
                     yield name, "phi", value, seed, {**CHEAP, "phi": value, **variables}
+        elif name == "squeeze":
+            for (phi, stokes), (seeds, stiffness, strain) in SQUEEZE.items():
+                for seed in SEEDS[:seeds]:
+                    for value, modes in (("on", ""), ("off", "squeeze no")):
+                        yield name, f"phi {phi}, St {stokes}", value, seed, {"phi": phi, "stokes": stokes, "stiffness": stiffness,
+                                                                             "strain": strain, "modes": modes}
         elif name == "volume fraction":
             for value, variables in FRACTIONS.items():
                 for seed in SEEDS[:1]:
@@ -166,7 +174,7 @@ def cases(wanted):
 RUNS = {"base": 6, "stiffness": 3, "choices": 1, "1e5": 6,
         **dict.fromkeys(("1e7", "3e4", "1e4", "0.05", "20", "0.25", "0.3", "0.4", "0.5", "0.7", "1.4", "squeeze", "roll", "shear"), 1)}
 ORDER = ["base", "short", "stiffness", "Stokes number", "scatter", "left out", "size", "time step", "choices", "pressure",
-         "volume fraction"]
+         "volume fraction", "squeeze"]
 
 
 def compare(row, reference):

@@ -53,6 +53,15 @@ class Constants(unittest.TestCase):
         for name, measured in zip(("STRAIN_SECONDS", "STEP_SECONDS"), suspension_laws.seconds(ROWS)):
             self.assert_rounded(constant(name), measured)
 
+    def test_squeeze_film_left_out(self):
+        """The threshold of the adviser quotes what leaving the squeeze film out changes."""
+        verdicts = (ROOT / "src" / "SUSPENSION" / "scene_verdict.h").read_text(encoding="ascii")
+        source = "".join(re.findall(r'"([^"]*)"', re.search(r'\{"St", 0\.05,(.*?)\}', verdicts, re.DOTALL).group(1)))
+        pairs = [(("squeeze", f"phi 0.54, St {stokes}", "off"), ("squeeze", f"phi 0.54, St {stokes}", "on")) for stokes in ("0.05", "0.5")]
+        for key, base in (*pairs, (("strain", "left out", "squeeze"), ("strain", "base", ""))):
+            off, error = suspension_laws.change(ROWS, key, base)
+            self.assertIn(f"{100 * off:+.0f} +- {100 * error:.0f} %", source)
+
     def test_options_are_within_what_was_run(self):
         laws = suspension_laws.laws(ROWS)
         run = [row["step"] for row in ROWS if row["set"] == "strain" and row["knob"] == "time step"]

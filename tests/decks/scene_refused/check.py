@@ -51,16 +51,11 @@ CASES = [    # lines, message, underlined word or None
     (GRAVITY + "suspension_scene measure 10", "copies sheared suspensions with nothing else that acts, but cannot copy fix pull of style gravity: "
      "unfix it if it does not matter; the advice without the word measure works here, too; or compare two runs of your own", None),
     *((SHEAR + f"fix other all {style}\nsuspension_scene measure 10", f"cannot copy fix other of style {style.split()[0]}: unfix it", None)
-      for style in ("addforce 0 1 0", "setforce NULL NULL 0", "momentum 1 linear 1 1 1", "wall/lj93 ylo EDGE 1 1 1 pbc yes", "spring/self 1",
-                    "viscous 1", "langevin 1 1 1 4711", "dt/reset 1 NULL 1e-3 0.1", "move linear 1 0 0", "adapt 1 pair lubcontact friction * * v_one")),
-    *((SHEAR + setting + "\nsuspension_scene measure 10", f"measure cannot copy {name}; the advice without", None) for setting, name in (
-        ("neigh_modify exclude type 1 1", "neigh_modify exclude"),
-        ("group some id <= 100\natom_modify first some\nneigh_modify include some", "neigh_modify include"),
-        ("neigh_modify once yes", "neigh_modify once yes"),
-        ("group some id <= 100\natom_modify first some\ncomm_modify group some", "comm_modify group"),
-        ("pair_modify compute no", "pair_modify compute no"),
-        ("run_style respa 2 2", "run_style respa"),
-        ("neigh_modify once yes exclude type 1 1", "neigh_modify exclude, neigh_modify once yes"))),
+      for style in ("addforce 0 1 0", "wall/lj93 ylo EDGE 1 1 1 pbc yes", "adapt 1 pair lubcontact friction * * v_one")),
+    (SHEAR + "neigh_modify once yes exclude type 1 1\ngroup some id <= 100\natom_modify first some\nneigh_modify include some\n"
+     "comm_modify group some\npair_modify compute no\nrun_style respa 2 2\nsuspension_scene measure 10",
+     "measure cannot copy run_style respa, pair_modify compute no, neigh_modify exclude, neigh_modify include, neigh_modify once yes, "
+     "comm_modify group; the advice without", None),
     (CHARGED + "suspension_scene measure 10", "what particles of atom_style hybrid sphere charge have beside those of atom_style sphere; the "
      "advice without", None),
     ("variable eta equal 1.0\npair_style lubcontact v_eta cut 0.5\npair_coeff * * 1e4 5e3 roughness 0.01\nfix shear all deform/rheometer rate 1.0 "
