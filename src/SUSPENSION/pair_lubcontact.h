@@ -47,6 +47,7 @@ class PairLubcontact : public Pair {
   void init_style() override;
   double init_one(int, int) override;
   void setup() override;
+  void reset_dt() override;
   void write_restart(FILE *) override;
   void read_restart(FILE *) override;
   void write_restart_settings(FILE *) override;
@@ -138,7 +139,8 @@ class PairLubcontact : public Pair {
   std::vector<double> stiffness;    // sum over the partners, at set-up
   std::string history_id, dummy_id;
   class FixNeighHistory *fix_history;
-  bool reported;    // the table of this run has been printed
+  bool reported;     // the table of this run has been printed
+  bool warned_dt;    // that the step exceeds its limit, in this run
   bool partition_now, partition_atom_now, power_now;
   std::vector<class Compute *> clients;          // every compute stress/partition
   std::vector<class Compute *> atom_clients;     // every compute stress/partition/atom
@@ -210,6 +212,7 @@ class PairLubcontact : public Pair {
   void check_motion() const;
   double sum_stiffness(double, double);
   double time_step_limit() const;
+  void check_host() const;
   double shear_rate() const;
   void report(double, double);
   [[noreturn]] void overlap_error(int, int, double) const;

@@ -69,6 +69,8 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"extra": "group one id 1\ncompute s one stress/partition"}, "use group all instead of one", "one"),
     ({"style": "zero 2.0", "coeff": "* *", "extra": "compute s all stress/partition"},
      "which is not defined", None),
+    ({"extra": "run_style respa 2 2 pair 1"}, "Pair style lubcontact does not work with run_style respa; use: run_style verlet", None),
+    ({"extra": "comm_style tiled"}, "LAMMPS cannot send the history of ghosts back between tiles; add before the box is made: newton off", None),
     ({"extra": "fix d all drag/background"}, "missing argument", None),
     ({"extra": "fix d all drag/background -1"}, "viscosity must be >= 0, but is -1", "-1"),
     ({"extra": "fix d all drag/background 1 flow 1"}, "Unknown fix drag/background keyword: flow", "flow"),

@@ -40,4 +40,13 @@ text = log(words="pressure 10 tolerance 0.2")
 deck.expect("no rate, no settings", "cannot tell: give the shear rate: rate g" in text and "nan" not in text[text.index("Settings"):])
 text = log(more="fix shear all deform/rheometer rate 1 volume", words="tolerance 0.2")
 deck.expect("pressure of the start", "times that of steady flow at this phi" in text)
+
+LIMIT, RESET = "the stability limit of the contact springs", "fix step all dt/reset 5 {0} {1} 100"
+deck.expect("no warning below the limit", LIMIT not in log())
+deck.expect("fix dt/reset beyond the limit warns once", log(more=RESET.format(plain, 1.2 * plain)).count(LIMIT) == 1)
+massless = 'if "1 == 1" then "unfix move" "fix move all overdamped/sphere pair" "timestep 1e-5" '
+slow = float(re.search(r"^Fix overdamped/sphere: .* stability limit (\S+)$", log(more=massless), re.MULTILINE).group(1))
+text = log(more=massless + '"' + RESET.format(slow, 1.2 * slow) + '"')
+deck.expect("  without inertia, too", text.count("against the drag of fix overdamped/sphere") == 1)
+deck.expect("not between two runs", LIMIT not in log(then='if "1 == 1" then "timestep 1" "timestep 1e-4"'))
 deck.finish()
