@@ -74,7 +74,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
     watch_pressure(new rheometer::Watch()), watch_stress(new rheometer::Watch()),
     watch_rate(new rheometer::Watch()), measured_pressure(0.0), measured_stress(0.0),
     state(rheometer::IDLE), fresh(true), stepped(false), warned(false), warned_every(false),
-    particles(), material(new rheometer::Material()), virial(nullptr), held(nullptr),
+    particles(), material(new rheometer::Material()), pair_virial(nullptr), held(nullptr),
     from_restart(false)
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
@@ -121,7 +121,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
   *gradient = rheometer::gradient(static_cast<rheometer::Flow>(flow), domain->dimension, start, 0.0,
                                   update->dt);
   virial_id = std::string(id) + "_virial";
-  virial = modify->add_compute(virial_id + " all pressure NULL pair");
+  pair_virial = modify->add_compute(virial_id + " all pressure NULL pair");
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
   FixDeformRheometer::grow_arrays(atom->nmax);
