@@ -48,20 +48,16 @@ void BackgroundFluid::init()
 
   if (eta_of_pair && !viscosity_of_pair(lmp))
     error->all(FLERR, "Fix {} eta pair: {}; give the viscosity instead of pair", style,
-               find_lubcontact(lmp) ? "the viscosity of pair style lubcontact is a variable"
-                                    : "there is no pair style lubcontact");
+               why_no_viscosity(lmp));
   check_number(eta, "viscosity");
   check_number(hindered, "hindrance");
   for (const RheometerTarget &target : number) check_number(target, "flow");
   for (Component &c : component) check_component(c);
-  if (isolated && !find_lubcontact(lmp))
-    error->all(FLERR,
-               "Fix {} isolated counts partners in range of pair style lubcontact, which is "
-               "not defined",
-               style);
+  if (isolated) check_isolated();
   if (profile == PLATES) find_plates();
   if (profile == CELL) check_cell();
-  check_plates();
+  own.start(fix->groupbit);
+  exclude_plates();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -98,29 +94,21 @@ void BackgroundFluid::find_plates()
                plates_id);
 }
 
-void BackgroundFluid::check_plates() const
+void BackgroundFluid::exclude_plates()
 {
   for (const auto &other : modify->get_fix_by_style("^rheometer/plates")) {
     const auto *cell = dynamic_cast<FixRheometerPlates *>(other);
-    const bigint found = cell ? count(cell->plate_bits()) : 0;
-    if (found)
-      error->all(FLERR,
-                 "Fix {} acts on {} particles of the plates of fix {}, which moves them by "
-                 "itself; use the group of the particles between the plates",
-                 style, found, other->id);
+    if (!cell) continue;
+    own.forbid(cell->plate_bits(), [this, other](const std::string &who) {
+      return fmt::format(
+          "Fix {} acts on {} of the plates of fix {}, which moves them by itself; use "
+          "the group of the particles between the plates",
+          style, who, other->id);
+    });
   }
 }
 
 /* ---------------------------------------------------------------------- */
-
-bigint BackgroundFluid::count(int bits) const
-{
-  bigint mine = 0, all;
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & fix->groupbit) && (atom->mask[i] & bits)) mine++;
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all;
-}
 
 /* ----------------------------------------------------------------------
    particles that cross the boundary must change their velocity as the flow does. Not by
@@ -144,19 +132,17 @@ void BackgroundFluid::check_cell() const
     error->all(FLERR, "Fix {} cell: use group all for fix {}", style, deform[0]->id);
 }
 
-/* ----------------------------------------------------------------------
-   the plates where they are, and the particles whose volume is that of the solid
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void BackgroundFluid::setup()
 {
-  if (rule == MEASURED) measure_solid();
   if (profile == PLATES) plates->measure_surfaces(couette.low, couette.high);
   new_step();
 }
 
 /* ----------------------------------------------------------------------
-   another order of the particles rounds the sum differently: a continued run keeps that of before
+   In each step, since particles come, go and grow. Another order of them rounds the sum differently:
+   then it stays as it was, and a continued run is the same
 ------------------------------------------------------------------------- */
 
 void BackgroundFluid::measure_solid()
@@ -225,14 +211,52 @@ void BackgroundFluid::new_step()
   const bool variables = has_variables();
   if (variables) modify->clearstep_compute();
   eta.evaluate(lmp);
-  viscosity = eta_of_pair ? *viscosity_of_pair(lmp) : eta.value;
+  const double *of_pair = eta_of_pair ? viscosity_of_pair(lmp) : &eta.value;
+  if (!of_pair) error->all(FLERR, "Fix {} eta pair: {}", style, why_no_viscosity(lmp));
+  viscosity = *of_pair;
   if (!(viscosity >= 0.0))
     error->all(FLERR, "Fix {} viscosity must be >= 0, but is {} at step {}", style, viscosity,
                update->ntimestep);
   update_profile();
   update_hindrance();
   if (variables) modify->addstep_compute(update->ntimestep + 1);
-  if (isolated) dynamic_cast<PairLubcontact *>(find_lubcontact(lmp))->count_partners(partners);
+  if (isolated) count_partners();
+}
+
+/* ----------------------------------------------------------------------
+   over all sub-styles lubcontact, of which no two may act between the same particles
+------------------------------------------------------------------------- */
+
+void BackgroundFluid::check_isolated() const
+{
+  const auto pairs = all_lubcontact(lmp);
+  if (pairs.empty())
+    error->all(FLERR,
+               "Fix {} isolated counts partners in range of pair style lubcontact, which is "
+               "not defined",
+               style);
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      int styles = 0;
+      for (PairLubcontact *pair : pairs)
+        if (pair->setflag[i][j]) styles++;
+      if (styles > 1)
+        error->all(
+            FLERR,
+            "Fix {} isolated would count the partners of types {} {} {} times, once for each "
+            "sub-style lubcontact: give the types one of them",
+            style, i, j, styles);
+    }
+}
+
+void BackgroundFluid::count_partners()
+{
+  partners.assign(atom->nlocal, 0.0);
+  std::vector<double> part;
+  for (PairLubcontact *pair : all_lubcontact(lmp)) {
+    pair->count_partners(part);
+    for (int i = 0; i < atom->nlocal; i++) partners[i] += part[i];
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -281,6 +305,7 @@ void BackgroundFluid::update_hindrance()
 {
   hindered.evaluate(lmp);
   double phi = hindered.value;
+  if (rule == MEASURED) measure_solid();
   if (rule == MEASURED)
     phi = solid / (domain->xprd * domain->yprd * (domain->dimension == 2 ? 1.0 : domain->zprd));
   if (rule != CONSTANT && !(phi >= 0.0 && phi < 1.0))

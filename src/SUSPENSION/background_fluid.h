@@ -10,6 +10,7 @@
 #ifndef LMP_BACKGROUND_FLUID_H
 #define LMP_BACKGROUND_FLUID_H
 
+#include "exclusive_particles.h"
 #include "lubcontact_background.h"
 #include "lubcontact_drag.h"
 #include "pointers.h"
@@ -27,7 +28,7 @@ class BackgroundFluid : protected Pointers {
  public:
   BackgroundFluid(LAMMPS *, class Fix *, int narg, char **arg);    // arguments from arg[3] on
 
-  void init();
+  void init();        // makes the rules for particles of the fix anew
   void setup();       // at the start of a run, once neighbor lists exist
   void new_step();    // values of this step
 
@@ -36,8 +37,8 @@ class BackgroundFluid : protected Pointers {
   lubcontact::Shape shape() const { return body; }
   bool only_isolated() const { return isolated > 0; }
   double hindrance() const { return factor; }
-  double solid;                    // volume of all particles, for restart files
-  bigint count(int bits) const;    // particles of the fix that are in another group, too
+  double solid;              // volume of all particles, for restart files
+  ExclusiveParticles own;    // not those of the plates, and what the fix adds
   double memory_usage() const;
 
   // the arguments, as typed or with the present values of variables
@@ -86,8 +87,10 @@ class BackgroundFluid : protected Pointers {
   void check_number(const RheometerTarget &, const char *);
   void find_plates();
   void check_cell() const;
-  void check_plates() const;
+  void exclude_plates();
   void measure_solid();
+  void check_isolated() const;
+  void count_partners();
   void update_profile();
   void update_hindrance();
   void update_components();

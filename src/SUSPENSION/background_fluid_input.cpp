@@ -41,7 +41,7 @@ static const std::map<std::string, std::string> KEYWORDS = {
 /* ---------------------------------------------------------------------- */
 
 BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, int narg, char **arg) :
-    Pointers(lmp), solid(0.0), fix(owner), style(owner->style), evaluated(false),
+    Pointers(lmp), solid(0.0), own(lmp), fix(owner), style(owner->style), evaluated(false),
     eta_of_pair(false), profile(REST), plates(nullptr), body(lubcontact::Shape::SPHERE),
     rule(CONSTANT), isolated(0), viscosity(0.0),
     factor(1.0), couette{0.0, 0.0, 0.0, 0.0}, poiseuille{0.0, 0.0, 0.0}

@@ -16,9 +16,11 @@
 #include "error.h"
 #include "fix.h"
 #include "force.h"
+#include "lubcontact_inertia.h"
 #include "memory.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
+#include "uncounted_forces.h"
 #include "update.h"
 
 #include <algorithm>
@@ -60,6 +62,7 @@ ComputePowerPartition::~ComputePowerPartition()
 void ComputePowerPartition::init()
 {
   pairs = ComputeStressPartition::find_pairs(lmp, style);
+  check_rows(lmp, this);
   drags.clear();
   for (const char *name : {"^drag/background", "^overdamped/sphere"})
     for (auto &fix : modify->get_fix_by_style(name)) drags.push_back(fix);
@@ -88,38 +91,69 @@ void ComputePowerPartition::compute_array()
   invoked_array = update->ntimestep;
   require_tally();
 
-  double mine[NUM_ROWS][2] = {};
+  // and behind the rows what inertia needs: one reduction for both
+  struct Sums {
+    double row[NUM_ROWS][2] = {};
+    lubcontact::Inertia inertia;
+  } mine, all;
   for (const auto &pair : pairs)
     for (int m = 0; m < NUM_ORIGINS; m++) {
-      mine[m][0] += pair->heat[m] / update->dt;
-      mine[m][1] += pair->stored[m];
+      mine.row[m][0] += pair->heat[m] / update->dt;
+      mine.row[m][1] += pair->stored[m];
     }
-  mine[KINETIC][1] = kinetic_energy();
-  MPI_Allreduce(mine, array[0], 2 * NUM_ROWS, MPI_DOUBLE, MPI_SUM, world);
+  mine.row[KINETIC][1] = spin_energy();
+  mine.inertia = ComputeStressPartition::measure_inertia(lmp);
+  MPI_Allreduce(mine.row[0], all.row[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
+
+  std::copy_n(all.row[0], 2 * NUM_ROWS, array[0]);
+  const lubcontact::Fluctuation f = lubcontact::fluctuation(all.inertia);
+  array[KINETIC][1] += 0.5 * force->mvv2e * (f.xx + f.yy + f.zz);
   if (pairs.front()->power_of_step)
     for (auto &fix : drags) array[DRAG][0] += fix->compute_vector(fix->size_vector - 1);
 }
 
 /* ----------------------------------------------------------------------
-   of the particles of this rank, relative to the flow of the cell, and of their spins
+   of the spins of this rank's particles
 ------------------------------------------------------------------------- */
 
-double ComputePowerPartition::kinetic_energy() const
+double ComputePowerPartition::spin_energy() const
 {
-  double sum[NUM_COMPONENTS] = {}, spin = 0.0;
+  double sum = 0.0;
   const int massless = overdamped_groups(lmp);
-  ComputeStressPartition::add_all_inertial(lmp, sum);
   for (int i = 0; i < atom->nlocal; i++) {
     if (atom->mask[i] & massless) continue;
     const double *omega = atom->omega[i];
-    spin += inertia.of(atom, i) * (omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
+    sum += inertia.of(atom, i) * (omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
   }
-  return 0.5 * force->mvv2e * (sum[0] + sum[1] + sum[2] + spin);
+  return 0.5 * force->mvv2e * sum;
+}
+
+/* ----------------------------------------------------------------------
+   velocity gradient of the cell, (rate of h)/h: upper triangular as h is, in the order xx yy zz yz xz xy
+------------------------------------------------------------------------- */
+
+struct Gradient {
+  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
+};
+
+static Gradient cell_gradient(const Domain *domain)
+{
+  Gradient l;
+  if (!domain->deform_flag) return l;
+  const double *rate = domain->h_rate, *inv = domain->h_inv;
+  l.xx = rate[0] * inv[0];
+  l.yy = rate[1] * inv[1];
+  l.zz = rate[2] * inv[2];
+  l.xy = rate[0] * inv[5] + rate[5] * inv[1];
+  l.yz = rate[1] * inv[3] + rate[3] * inv[2];
+  l.xz = rate[0] * inv[4] + rate[5] * inv[3] + rate[4] * inv[2];
+  return l;
 }
 
 /* ----------------------------------------------------------------------
    power that the deformation of the cell puts in: sum of sigma_ab L_ba times volume, with the velocity
-   gradient L of the cell; and what a fluid that turns with the cell gives to the spins
+   gradient L of the cell; what a fluid that turns with the cell gives to the spins; and what the
+   common drift of the particles, whose energy is not counted, loses to the drag
 ------------------------------------------------------------------------- */
 
 double ComputePowerPartition::compute_scalar()
@@ -127,28 +161,35 @@ double ComputePowerPartition::compute_scalar()
   invoked_scalar = update->ntimestep;
   require_tally();
 
-  // r_a F_b of the pairs and m v_a v_b, over the components xx yy zz xy xz yz yx zx zy
-  double mine[NUM_COMPONENTS] = {}, all[NUM_COMPONENTS];
-  ComputeStressPartition::add_all_inertial(lmp, mine);
-  for (double &product : mine) product *= force->mvv2e;
+  // r_a F_b of the pairs, over the components xx yy zz xy xz yz yx zx zy; and inertia
+  struct Sums {
+    double pairs[NUM_COMPONENTS] = {};
+    lubcontact::Inertia inertia;
+  } mine, all;
   for (const auto &pair : pairs)
     for (const auto &part : pair->partition)
-      for (int n = 0; n < NUM_COMPONENTS; n++) mine[n] += part[n];
-  MPI_Allreduce(mine, all, NUM_COMPONENTS, MPI_DOUBLE, MPI_SUM, world);
+      for (int n = 0; n < NUM_COMPONENTS; n++) mine.pairs[n] += part[n];
+  mine.inertia = ComputeStressPartition::measure_inertia(lmp);
+  MPI_Allreduce(mine.pairs, all.pairs, sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 
-  scalar = 0.0;
-  if (!domain->deform_flag) return scalar;
-  // L = (rate of h)/h is upper triangular as h is: order xx yy zz yz xz xy
-  const double *rate = domain->h_rate, *inv = domain->h_inv;
-  const double xx = rate[0] * inv[0], yy = rate[1] * inv[1], zz = rate[2] * inv[2];
-  const double xy = rate[0] * inv[5] + rate[5] * inv[1];
-  const double yz = rate[1] * inv[3] + rate[3] * inv[2];
-  const double xz = rate[0] * inv[4] + rate[5] * inv[3] + rate[4] * inv[2];
+  const lubcontact::Fluctuation f = lubcontact::fluctuation(all.inertia);
+  const lubcontact::Vec3 drift = all.inertia.drift();
+  const Gradient l = cell_gradient(domain);
   // L_xy moves along x what is displaced along y: r_y F_x
-  scalar = -(xx * all[0] + yy * all[1] + zz * all[2] + xy * all[6] + xz * all[7] + yz * all[8]);
-  for (auto &fix : drags)    // elements 5 to 7: torque of the fluid; its spin is half the curl of L
+  const double *r = all.pairs, unit = force->mvv2e;
+  scalar =
+      -(l.xx * (r[0] + unit * f.xx) + l.yy * (r[1] + unit * f.yy) + l.zz * (r[2] + unit * f.zz) +
+        l.xy * (r[6] + unit * f.xy) + l.xz * (r[7] + unit * f.xz) + l.yz * (r[8] + unit * f.yz));
+  for (auto &fix : drags) {
+    // elements 5 to 7: torque of the fluid; its spin is half the curl of L
     scalar += 0.5 *
-        (-yz * fix->compute_vector(4) + xz * fix->compute_vector(5) - xy * fix->compute_vector(6));
+        (-l.yz * fix->compute_vector(4) + l.xz * fix->compute_vector(5) -
+         l.xy * fix->compute_vector(6));
+    // elements 2 to 4: its force; without inertia there is no energy of a drift
+    if (!fix->time_integrate)
+      scalar -= drift.x * fix->compute_vector(1) + drift.y * fix->compute_vector(2) +
+          drift.z * fix->compute_vector(3);
+  }
   return scalar;
 }
 

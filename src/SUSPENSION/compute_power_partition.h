@@ -38,7 +38,7 @@ class ComputePowerPartition : public Compute {
   SpinInertia inertia;
 
   void require_tally() const;
-  double kinetic_energy() const;
+  double spin_energy() const;
 };
 
 }    // namespace LAMMPS_NS

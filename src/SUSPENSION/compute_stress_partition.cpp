@@ -14,11 +14,12 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "lubcontact_inertia.h"
 #include "memory.h"
 #include "pair_lubcontact.h"
+#include "rheometer_target.h"
+#include "uncounted_forces.h"
 #include "update.h"
-
-#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -57,6 +58,7 @@ ComputeStressPartition::~ComputeStressPartition()
 void ComputeStressPartition::init()
 {
   pairs = find_pairs(lmp, style);
+  check_rows(lmp, this);
 }
 
 /* ----------------------------------------------------------------------
@@ -65,14 +67,7 @@ void ComputeStressPartition::init()
 
 std::vector<PairLubcontact *> ComputeStressPartition::find_pairs(LAMMPS *lmp, const char *style)
 {
-  Force *force = lmp->force;
-  std::vector<PairLubcontact *> found;
-  if (Pair *only = force->pair_match("^lubcontact", 0)) {
-    found.push_back(dynamic_cast<PairLubcontact *>(only));
-  } else {    // several under hybrid
-    for (int nsub = 1; Pair *pair = force->pair_match("^lubcontact", 0, nsub); nsub++)
-      found.push_back(dynamic_cast<PairLubcontact *>(pair));
-  }
+  auto found = all_lubcontact(lmp);
   if (found.empty())
     lmp->error->all(FLERR,
                     "Compute {} splits the forces of pair_style lubcontact, which is not defined",
@@ -88,7 +83,12 @@ void ComputeStressPartition::compute_array()
 {
   invoked_array = update->ntimestep;
 
-  double mine[NUM_ROWS][NUM_COMPONENTS] = {};
+  // forces, and behind them what inertia needs: one reduction for both
+  struct Sums {
+    double row[NUM_ROWS][NUM_COMPONENTS] = {};
+    lubcontact::Inertia inertia;
+  } mine, all;
+  static_assert(sizeof(Sums) % sizeof(double) == 0, "doubles only");
   for (const auto &pair : pairs) {
     if (pair->partition_step != update->ntimestep)
       error->all(FLERR,
@@ -96,51 +96,53 @@ void ComputeStressPartition::compute_array()
                  "its steps are known in advance (thermo, fix ave, dump, every-type variables)",
                  update->ntimestep);
     for (int m = 0; m < NUM_PARTS; m++)
-      for (int n = 0; n < NUM_COMPONENTS; n++) mine[row_of(m)][n] += pair->partition[m][n];
+      for (int n = 0; n < NUM_COMPONENTS; n++) mine.row[row_of(m)][n] += pair->partition[m][n];
   }
-  add_all_inertial(lmp, mine[INERTIA]);
+  mine.inertia = measure_inertia(lmp);
+  MPI_Allreduce(mine.row[0], all.row[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
+
+  const lubcontact::Fluctuation f = lubcontact::fluctuation(all.inertia);
+  const double inertial[NUM_COMPONENTS] = {f.xx, f.yy, f.zz, f.xy, f.xz, f.yz, f.xy, f.xz, f.yz};
+  for (int n = 0; n < NUM_COMPONENTS; n++) all.row[INERTIA][n] = force->mvv2e * inertial[n];
 
   double volume = domain->xprd * domain->yprd;
   if (domain->dimension == 3) volume *= domain->zprd;
   for (int m = 0; m < NUM_ROWS; m++)
-    for (double &component : mine[m])
-      component *= -force->nktv2p / volume * (m == INERTIA ? force->mvv2e : 1.0);
-  MPI_Allreduce(mine, array[0], NUM_ROWS * NUM_COMPONENTS, MPI_DOUBLE, MPI_SUM, world);
+    for (int n = 0; n < NUM_COMPONENTS; n++) array[m][n] = -force->nktv2p / volume * all.row[m][n];
 }
 
 /* ----------------------------------------------------------------------
-   adds m v'_a v'_b of atom i, with v' relative to the velocity of the deforming cell
+   velocity of atom i relative to that of the deforming cell
 ------------------------------------------------------------------------- */
 
-void ComputeStressPartition::add_inertial(LAMMPS *lmp, int i, double *sum)
+lubcontact::Vec3 ComputeStressPartition::relative_velocity(LAMMPS *lmp, int i)
+{
+  const double *v = lmp->atom->v[i];
+  Domain *domain = lmp->domain;
+  if (!domain->deform_flag) return {v[0], v[1], v[2]};
+  const double *rate = domain->h_rate, *lo_rate = domain->h_ratelo;
+  double lamda[3];
+  domain->x2lamda(lmp->atom->x[i], lamda);
+  return {v[0] - (rate[0] * lamda[0] + rate[5] * lamda[1] + rate[4] * lamda[2] + lo_rate[0]),
+          v[1] - (rate[1] * lamda[1] + rate[3] * lamda[2] + lo_rate[1]),
+          v[2] - (rate[2] * lamda[2] + lo_rate[2])};
+}
+
+/* ----------------------------------------------------------------------
+   of all atoms of this rank but those of fix overdamped/sphere, which have no inertia
+------------------------------------------------------------------------- */
+
+lubcontact::Inertia ComputeStressPartition::measure_inertia(LAMMPS *lmp)
 {
   const Atom *atom = lmp->atom;
-  Domain *domain = lmp->domain;
-  double v[3] = {atom->v[i][0], atom->v[i][1], atom->v[i][2]};
-  if (domain->deform_flag) {
-    const double *rate = domain->h_rate, *lo_rate = domain->h_ratelo;
-    double lamda[3];
-    domain->x2lamda(atom->x[i], lamda);
-    v[0] -= rate[0] * lamda[0] + rate[5] * lamda[1] + rate[4] * lamda[2] + lo_rate[0];
-    v[1] -= rate[1] * lamda[1] + rate[3] * lamda[2] + lo_rate[1];
-    v[2] -= rate[2] * lamda[2] + lo_rate[2];
-  }
-  const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
-  const double product[NUM_COMPONENTS] = {v[0] * v[0], v[1] * v[1], v[2] * v[2],
-                                          v[0] * v[1], v[0] * v[2], v[1] * v[2],
-                                          v[1] * v[0], v[2] * v[0], v[2] * v[1]};
-  for (int n = 0; n < NUM_COMPONENTS; n++) sum[n] += m * product[n];
-}
-
-/* ----------------------------------------------------------------------
-   the same of all atoms of this rank but those of fix overdamped/sphere, which have no inertia
-------------------------------------------------------------------------- */
-
-void ComputeStressPartition::add_all_inertial(LAMMPS *lmp, double *sum)
-{
   const int massless = overdamped_groups(lmp);
-  for (int i = 0; i < lmp->atom->nlocal; i++)
-    if (!(lmp->atom->mask[i] & massless)) add_inertial(lmp, i, sum);
+  lubcontact::Inertia sum;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (atom->mask[i] & massless) continue;
+    const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+    sum.add(m, relative_velocity(lmp, i));
+  }
+  return sum;
 }
 
 /* ---------------------------------------------------------------------- */

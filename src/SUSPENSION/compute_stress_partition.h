@@ -20,6 +20,11 @@ ComputeStyle(stress/partition,ComputeStressPartition);
 
 #include <vector>
 
+namespace lubcontact {
+struct Inertia;
+struct Vec3;
+}    // namespace lubcontact
+
 namespace LAMMPS_NS {
 
 class ComputeStressPartition : public Compute {
@@ -36,8 +41,8 @@ class ComputeStressPartition : public Compute {
 
   // shared with compute stress/partition/atom
   static std::vector<class PairLubcontact *> find_pairs(LAMMPS *, const char *);
-  static void add_inertial(LAMMPS *, int, double *);
-  static void add_all_inertial(LAMMPS *, double *);
+  static lubcontact::Vec3 relative_velocity(LAMMPS *, int);
+  static lubcontact::Inertia measure_inertia(LAMMPS *);    // of this rank
 
  protected:
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid

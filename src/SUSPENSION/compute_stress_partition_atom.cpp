@@ -15,8 +15,10 @@
 #include "compute_stress_partition.h"
 #include "error.h"
 #include "force.h"
+#include "lubcontact_inertia.h"
 #include "memory.h"
 #include "pair_lubcontact.h"
+#include "uncounted_forces.h"
 #include "update.h"
 
 #include <algorithm>
@@ -55,6 +57,7 @@ ComputeStressPartitionAtom::~ComputeStressPartitionAtom()
 void ComputeStressPartitionAtom::init()
 {
   pairs = ComputeStressPartition::find_pairs(lmp, style);
+  check_rows(lmp, this);
 }
 
 /* ----------------------------------------------------------------------
@@ -73,6 +76,7 @@ void ComputeStressPartitionAtom::compute_peratom()
   collect_parts();
 
   const int massless = overdamped_groups(lmp);
+  const lubcontact::Vec3 drift = find_drift();
   for (int i = 0; i < atom->nlocal; i++) {
     double *parts = array_atom[i];
     double *inertial = parts + ComputeStressPartition::INERTIA * NUM_COMPONENTS;
@@ -80,10 +84,28 @@ void ComputeStressPartitionAtom::compute_peratom()
       std::fill_n(parts, COLUMNS, 0.0);
       continue;
     }
-    if (!(atom->mask[i] & massless)) ComputeStressPartition::add_inertial(lmp, i, inertial);
-    for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] *= force->mvv2e;
+    if (!(atom->mask[i] & massless)) {
+      const double m = force->mvv2e * (atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]]);
+      const lubcontact::Vec3 v = ComputeStressPartition::relative_velocity(lmp, i) - drift;
+      const double xy = m * v.x * v.y, xz = m * v.x * v.z, yz = m * v.y * v.z;
+      const double product[] = {
+          m * v.x * v.x, m * v.y * v.y, m * v.z * v.z, xy, xz, yz, xy, xz, yz};
+      for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] += product[n];
+    }
     for (int n = 0; n < COLUMNS; n++) parts[n] *= -force->nktv2p;
   }
+}
+
+/* ----------------------------------------------------------------------
+   common velocity of all particles with inertia, in the group or not
+------------------------------------------------------------------------- */
+
+lubcontact::Vec3 ComputeStressPartitionAtom::find_drift() const
+{
+  const lubcontact::Inertia mine = ComputeStressPartition::measure_inertia(lmp);
+  lubcontact::Inertia all;
+  MPI_Allreduce(mine.sum, all.sum, lubcontact::Inertia::SIZE, MPI_DOUBLE, MPI_SUM, world);
+  return all.drift();
 }
 
 /* ----------------------------------------------------------------------

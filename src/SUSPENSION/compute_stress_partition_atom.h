@@ -20,6 +20,10 @@ ComputeStyle(stress/partition/atom,ComputeStressPartitionAtom);
 
 #include <vector>
 
+namespace lubcontact {
+struct Vec3;
+}
+
 namespace LAMMPS_NS {
 
 class ComputeStressPartitionAtom : public Compute {
@@ -36,6 +40,7 @@ class ComputeStressPartitionAtom : public Compute {
   int nmax;                                     // atoms there is room for
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
   void collect_parts();
+  lubcontact::Vec3 find_drift() const;
 };
 
 }    // namespace LAMMPS_NS

@@ -24,6 +24,7 @@
 #include "rheometer_list.h"
 #include "rheometer_mean.h"
 #include "rheometer_servo.h"
+#include "uncounted_forces.h"
 #include "update.h"
 
 #include <cmath>
@@ -56,6 +57,15 @@ void FixDeformRheometer::init()
   for (const auto &other : modify->get_fix_list())
     if (other->rigid_flag)
       error->all(FLERR, "Fix {} cannot move the rigid bodies of fix {}", style, other->id);
+  refuse_constraints(lmp, std::string("Fix ") + style);
+  const std::string missing = uncounted_forces(lmp, false);
+  if (!missing.empty() && comm->me == 0)
+    error->warning(
+        FLERR,
+        "Fix {}: its pressure and stress are of the pair style and inertia alone, without "
+        "those of {}",
+        style, missing);
+  check_directions();
   if (domain->xz != 0.0 || domain->yz != 0.0)
     error->all(FLERR, "Fix {} needs a cell without tilts xz and yz, but they are {} and {}", style,
                domain->xz, domain->yz);
@@ -68,8 +78,8 @@ void FixDeformRheometer::init()
                    "min_style {} overwrites the velocities of the flow; use min_style cg or sd",
                    minimizer);
 
-  virial = modify->get_compute_by_id(virial_id);
-  if (!virial) error->all(FLERR, "Compute {} of fix {} was deleted", virial_id, style);
+  pair_virial = modify->get_compute_by_id(virial_id);
+  if (!pair_virial) error->all(FLERR, "Compute {} of fix {} was deleted", virial_id, style);
   check_variables();
   if (!viscosity_given) find_viscosity();
   h_rate = domain->h_rate;
@@ -182,7 +192,7 @@ void FixDeformRheometer::check_cell() const
 void FixDeformRheometer::setup(int /*vflag*/)
 {
   measure_stress();
-  virial->addstep((update->ntimestep / nevery + 1) * nevery);
+  pair_virial->addstep((update->ntimestep / nevery + 1) * nevery);
 }
 
 /* ----------------------------------------------------------------------
@@ -261,7 +271,7 @@ void FixDeformRheometer::pre_exchange()
 void FixDeformRheometer::end_of_step()
 {
   measure_stress();
-  virial->addstep(update->ntimestep + nevery);
+  pair_virial->addstep(update->ntimestep + nevery);
   if (!stepped) return;
   rheometer::add(*averages, measured_pressure, measured_stress, rate * moved, moved);
 

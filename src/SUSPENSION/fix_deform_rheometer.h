@@ -105,9 +105,10 @@ class FixDeformRheometer : public FixDeform {
   bool fresh;                                   // the targets are new
   bool stepped;    // the cell has moved in this run; it does not in a rerun
   bool warned, warned_every;
-  double particles[4];    // sums of volume, mass, radius, number
+  static constexpr int NUM_PARTICLES = 4;
+  double particles[NUM_PARTICLES];    // sums of volume, mass, radius, number
   std::unique_ptr<rheometer::Material> material;
-  class Compute *virial;
+  class Compute *pair_virial;
   std::string virial_id;
   std::unique_ptr<ListKeeper> keeper;         // of the neighbor lists
   std::unique_ptr<rheometer::Cell> listed;    // cell when they were made
@@ -127,6 +128,8 @@ class FixDeformRheometer : public FixDeform {
   void check_move(const rheometer::Cell &, const rheometer::Cell &) const;
   void restore_positions();
   void find_viscosity();
+  void add_particle(int, bool, double *) const;
+  void take_particles(const double *);
   void measure_particles();
   void measure_stress();
   double next_rate() const;

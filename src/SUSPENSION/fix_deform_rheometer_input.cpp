@@ -79,7 +79,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
     watch_rate(new rheometer::Watch()), averages(new rheometer::StrainMeans()),
     measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), fresh(true),
     stepped(false), warned(false), warned_every(false), particles(),
-    material(new rheometer::Material()), virial(nullptr), keeper(new ListKeeper(lmp, this)),
+    material(new rheometer::Material()), pair_virial(nullptr), keeper(new ListKeeper(lmp, this)),
     listed(new rheometer::Cell()), held(nullptr), from_restart(false)
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
@@ -128,7 +128,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
   *gradient = rheometer::gradient(static_cast<rheometer::Flow>(flow), domain->dimension, start, 0.0,
                                   update->dt);
   virial_id = std::string(id) + "_virial";
-  virial = modify->add_compute(virial_id + " all pressure NULL pair");
+  pair_virial = modify->add_compute(virial_id + " all pressure NULL pair");
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
   FixDeformRheometer::grow_arrays(atom->nmax);

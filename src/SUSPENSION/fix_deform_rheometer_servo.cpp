@@ -17,6 +17,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "lubcontact_inertia.h"
 #include "math_const.h"
 #include "pair.h"
 #include "rheometer_flow.h"
@@ -36,19 +37,20 @@ using MathConst::MY_PI;
 static constexpr double ROUNDING = 1e-12;    // of a sum over particles
 
 /* ----------------------------------------------------------------------
-   viscosity of pair style lubcontact, alone or under hybrid
+   viscosity of pair style lubcontact, alone or of all of its kind under hybrid
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::find_viscosity()
 {
   pair_viscosity = viscosity_of_pair(lmp);
   if (pair_viscosity) return;
-  if (find_lubcontact(lmp))
+  const bool needed = drive == IV || drive == STRESS || confinement == PRESSURE;
+  const bool several = all_lubcontact(lmp).size() > 1;
+  if (find_lubcontact(lmp) && (needed || !several))
     error->all(FLERR,
-               "The viscosity of pair style lubcontact is a variable: give the same to fix {}: "
-               "viscosity v_name",
-               style);
-  if (drive == IV || drive == STRESS || confinement == PRESSURE)
+               "Fix {} cannot take the viscosity of the pair style, {}; give it: viscosity {}",
+               style, why_no_viscosity(lmp), several ? "eta" : "v_name");
+  if (needed)
     error->all(FLERR, "Fix {} needs the viscosity of the fluid; add: viscosity eta (0 if dry)",
                style);
 }
@@ -58,65 +60,77 @@ void FixDeformRheometer::find_viscosity()
    particles are on: sums that differ in nothing else stay as they were
 ------------------------------------------------------------------------- */
 
-void FixDeformRheometer::measure_particles()
+void FixDeformRheometer::add_particle(int i, bool massless, double *sum) const
 {
-  double mine[4] = {}, all[4];    // volume, mass, radii, number
-  const int massless = overdamped_groups(lmp);
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const double r = atom->radius[i];
-    mine[0] += domain->dimension == 3 ? 4.0 / 3.0 * MY_PI * r * r * r : MY_PI * r * r;
-    if (!(atom->mask[i] & massless)) mine[1] += atom->rmass[i];
-    mine[2] += r;
-    mine[3] += 1.0;
-  }
-  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  const double r = atom->radius[i];
+  sum[0] += domain->dimension == 3 ? 4.0 / 3.0 * MY_PI * r * r * r : MY_PI * r * r;
+  if (!massless) sum[1] += atom->rmass[i];
+  sum[2] += r;
+  sum[3] += 1.0;
+}
+
+void FixDeformRheometer::take_particles(const double *all)
+{
   if (all[0] == 0.0) error->all(FLERR, "Fix {}: no particles with a radius in its group", style);
   bool same = true;
-  for (int n = 0; n < 4; n++)
+  for (int n = 0; n < NUM_PARTICLES; n++)
     if (fabs(all[n] - particles[n]) > ROUNDING * all[n]) same = false;
-  if (!same) std::copy_n(all, 4, particles);
+  if (!same) std::copy_n(all, NUM_PARTICLES, particles);
   material->density = particles[1] / particles[0] * force->mvv2e * force->nktv2p;
   material->diameter = 2.0 * particles[2] / particles[3];
   material->inertia = material->density * material->diameter * material->diameter;
 }
 
+void FixDeformRheometer::measure_particles()
+{
+  double mine[NUM_PARTICLES] = {}, all[NUM_PARTICLES];
+  const int massless = overdamped_groups(lmp);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) add_particle(i, atom->mask[i] & massless, mine);
+  MPI_Allreduce(mine, all, NUM_PARTICLES, MPI_DOUBLE, MPI_SUM, world);
+  take_particles(all);
+}
+
 /* ----------------------------------------------------------------------
    stress of the particles: pair forces, and inertia relative to the flow. The compute only asks for
-   the virial in time; reducing it here together with the inertia saves one reduction
+   the virial in time; reducing it here together with the rest saves one reduction. Particles may come,
+   go and grow, so they are measured, too
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::measure_stress()
 {
+  struct Sums {
+    double pairs[4] = {};    // xx yy zz xy
+    double particles[NUM_PARTICLES] = {};
+    lubcontact::Inertia inertia;
+  } mine, all;
   // what has become of the flow, whose particles move at a constant velocity
   const Gradient g = rheometer::at_end(*gradient, moved);
   const double lo[3] = {domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]};
   const int nlocal = atom->nlocal;
   const int *mask = atom->mask;
   const int massless = overdamped_groups(lmp);
-  const double *rmass = atom->rmass;
-  double mine[4] = {}, sum[4];    // xx yy zz xy
   for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit) || (mask[i] & massless)) continue;
+    if (!(mask[i] & groupbit)) continue;
+    add_particle(i, mask[i] & massless, mine.particles);
+    if (mask[i] & massless) continue;
     const double *x = atom->x[i], *v = atom->v[i];
-    const double y = x[1] - lo[1], m = rmass[i];
-    const double vx = v[0] - g.xx * (x[0] - lo[0]) - g.xy * y;
-    const double vy = v[1] - g.yy * y;
-    const double vz = v[2] - g.zz * (x[2] - lo[2]);
-    mine[0] += m * vx * vx;
-    mine[1] += m * vy * vy;
-    mine[2] += m * vz * vz;
-    mine[3] += m * vx * vy;
+    const double y = x[1] - lo[1];
+    mine.inertia.add(
+        atom->rmass[i],
+        {v[0] - g.xx * (x[0] - lo[0]) - g.xy * y, v[1] - g.yy * y, v[2] - g.zz * (x[2] - lo[2])});
   }
-  for (double &component : mine) component *= force->mvv2e;
-  if (force->pair)
-    for (int n = 0; n < 4; n++) mine[n] += force->pair->virial[n];
-  MPI_Allreduce(mine, sum, 4, MPI_DOUBLE, MPI_SUM, world);
+  if (force->pair) std::copy_n(force->pair->virial, 4, mine.pairs);
+  MPI_Allreduce(mine.pairs, all.pairs, sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
+  take_particles(all.particles);
 
   double size = domain->xprd * domain->yprd;
   if (domain->dimension == 3) size *= domain->zprd;
-  const double scale = -force->nktv2p / size;
-  const Stress stress = {scale * sum[0], scale * sum[1], scale * sum[2], scale * sum[3]};
+  const double scale = -force->nktv2p / size, unit = force->mvv2e;
+  const lubcontact::Fluctuation k = lubcontact::fluctuation(all.inertia);
+  const Stress stress = {scale * (all.pairs[0] + unit * k.xx), scale * (all.pairs[1] + unit * k.yy),
+                         scale * (all.pairs[2] + unit * k.zz),
+                         scale * (all.pairs[3] + unit * k.xy)};
   const auto f = static_cast<rheometer::Flow>(flow);
   measured_pressure = rheometer::pressure(f, domain->dimension, stress);
   measured_stress = rheometer::driving_stress(f, stress);

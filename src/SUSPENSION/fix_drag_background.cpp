@@ -19,7 +19,7 @@
 #include "update.h"
 
 #include <algorithm>
-#include <cstring>
+#include <string>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -28,6 +28,11 @@ using lubcontact::Vec3;
 // fixes that may come later: they read forces, or set them whatever they were
 static const char *const READERS[] = {"enforce2d", "setforce", "freeze", "store/force",
                                       "rheometer/plates"};
+
+// what a restart file holds
+struct Saved {
+  double energy, solid;
+};
 
 static Vec3 vector(const double *a)
 {
@@ -89,31 +94,36 @@ void FixDragBackground::init()
    what acts together with a strong drag is damped by it: all forces must be known here
 ------------------------------------------------------------------------- */
 
-void FixDragBackground::check_order() const
+void FixDragBackground::check_order()
 {
   bool later = false;
   for (const auto &other : modify->get_fix_list()) {
+    const std::string name = other->id, kind = other->style;
     if (other == this) later = true;
     if (other == this || !later || !(modify->get_fix_mask(other) & POST_FORCE)) continue;
-    const bool reads = std::any_of(std::begin(READERS), std::end(READERS), [&](const char *name) {
-      return strcmp(other->style, name) == 0;
+    const bool reads = std::any_of(std::begin(READERS), std::end(READERS), [&](const char *reader) {
+      return kind == reader;
     });
-    if (strcmp(other->style, style) == 0 && fluid->count(other->groupbit))
-      error->all(FLERR,
-                 "Fixes {} and {} both drag the same particles: one drag/background each; give them "
-                 "groups without common particles",
-                 id, other->id);
-    if (!reads && fluid->count(other->groupbit))
-      error->all(FLERR,
-                 "Fix {} {} adds forces after fix drag/background, which must know them all to "
-                 "integrate the drag: define fix {} after fix {}",
-                 other->id, other->style, id, other->id);
+    if (kind == style)
+      fluid->own.forbid(other->groupbit, [this, name](const std::string &who) {
+        return fmt::format("Fixes {} and {} both drag the same particles, {}: one drag/background "
+                           "each; give them groups without common particles",
+                           id, name, who);
+      });
+    else if (!reads)
+      fluid->own.forbid(other->groupbit, [this, name, kind](const std::string &who) {
+        return fmt::format("Fix {} {} adds forces after fix drag/background, which must know them "
+                           "all to integrate the drag of {}: define fix {} after fix {}",
+                           name, kind, who, id, name);
+      });
   }
-  for (const auto &other : modify->get_fix_by_style("^overdamped"))
-    if (fluid->count(other->groupbit))
-      error->all(FLERR,
-                 "Fix drag/background acts on particles of fix {} {}, which drags them by itself",
-                 other->id, other->style);
+  for (const auto &other : modify->get_fix_by_style("^overdamped")) {
+    const std::string name = other->id, kind = other->style;
+    fluid->own.forbid(other->groupbit, [name, kind](const std::string &who) {
+      return fmt::format("Fix drag/background acts on {} of fix {} {}, which drags them by itself",
+                         who, name, kind);
+    });
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -158,6 +168,7 @@ void FixDragBackground::drag_all(bool full)
   };
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
+    fluid->own.check(atom->mask[i]);
     const lubcontact::Drag drag = fluid->drag(i);
     if (drag.translation == 0.0) continue;
     const lubcontact::Flow flow = fluid->flow(i);
@@ -199,22 +210,17 @@ double FixDragBackground::compute_vector(int n)
 
 void FixDragBackground::write_restart(FILE *fp)
 {
-  double state[] = {compute_scalar(), fluid->solid, 0.0};
-  state[2] = suspension::seal(state, 2 * sizeof(double));
-  if (comm->me) return;
-  const int size = sizeof(state);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(state, sizeof(state), 1, fp);
+  const Saved now = {compute_scalar(), fluid->solid};
+  if (comm->me == 0) suspension::write_sealed(fp, now);
 }
 
 void FixDragBackground::restart(char *buffer)
 {
-  double state[3];
-  memcpy(state, buffer, sizeof(state));
-  if (suspension::seal(state, 2 * sizeof(double)) != state[2])
-    error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
-  energy = comm->me ? 0.0 : state[0];
-  fluid->solid = state[1];
+  Saved from;
+  if (const char *wrong = suspension::read_sealed(buffer, from))
+    error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
+  energy = comm->me ? 0.0 : from.energy;
+  fluid->solid = from.solid;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -52,7 +52,7 @@ class FixDragBackground : public Fix {
   double power;             // from the particles to the fluid, of this rank
   double energy;            // and its integral
 
-  void check_order() const;
+  void check_order();
   void drag_all(bool);
 };
 

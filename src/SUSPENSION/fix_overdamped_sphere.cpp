@@ -20,7 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <string>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -45,7 +45,8 @@ static void put(const Vec3 &a, double *to)
 ------------------------------------------------------------------------- */
 
 FixOverdampedSphere::FixOverdampedSphere(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid(new BackgroundFluid(lmp, this, narg, arg)), sums(), limit(HUGE_VAL)
+    Fix(lmp, narg, arg), fluid(new BackgroundFluid(lmp, this, narg, arg)), sums(), limit(HUGE_VAL),
+    warned(false)
 {
   if (fluid->only_isolated())
     for (int iarg = 4; iarg < narg; iarg++)
@@ -82,18 +83,29 @@ void FixOverdampedSphere::init()
    nobody else moves these particles
 ------------------------------------------------------------------------- */
 
-void FixOverdampedSphere::check_others() const
+void FixOverdampedSphere::check_others()
 {
   for (const auto &other : modify->get_fix_list()) {
     if (other == this || !other->time_integrate) continue;
-    const bigint both = fluid->count(other->groupbit);
-    if (both)
-      error->all(
-          FLERR,
-          "Fix {} {} moves {} particles that fix overdamped/sphere moves, too: remove it, or "
-          "give it another group",
-          other->id, other->style, both);
+    const std::string name = other->id, kind = other->style;
+    fluid->own.forbid(other->groupbit, [name, kind](const std::string &who) {
+      return fmt::format("Fix {} {} moves {} that fix overdamped/sphere moves, too: remove it, or "
+                         "give it another group",
+                         name, kind, who);
+    });
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixOverdampedSphere::check_particle(int i, const Drag &drag) const
+{
+  fluid->own.check(atom->mask[i]);
+  if (!(drag.translation > 0.0))
+    error->one(FLERR,
+               "Fix overdamped/sphere cannot move atom {} without drag: viscosity, hindrance and "
+               "radius must be > 0",
+               atom->tag[i]);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -102,12 +114,9 @@ void FixOverdampedSphere::setup(int /*vflag*/)
 {
   fluid->setup();
   for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & groupbit) && !(fluid->drag(i).translation > 0.0))
-      error->one(FLERR,
-                 "Fix overdamped/sphere cannot move atom {} without drag: viscosity, "
-                 "hindrance and radius must be > 0",
-                 atom->tag[i]);
+    if (atom->mask[i] & groupbit) check_particle(i, fluid->drag(i));
   find_limit();
+  warned = false;
   reset_dt();
 }
 
@@ -118,10 +127,11 @@ void FixOverdampedSphere::setup(int /*vflag*/)
 void FixOverdampedSphere::find_limit()
 {
   limit = HUGE_VAL;
-  auto *pair = dynamic_cast<PairLubcontact *>(find_lubcontact(lmp));
-  if (!pair) return;
-  std::vector<double> stiffness;
-  pair->sum_stiffness_overdamped(lubcontact::SPIN_OF_DRAG, stiffness);
+  std::vector<double> stiffness(atom->nlocal, 0.0), part;
+  for (PairLubcontact *pair : all_lubcontact(lmp)) {
+    pair->sum_stiffness_overdamped(lubcontact::SPIN_OF_DRAG, part);
+    for (int i = 0; i < atom->nlocal; i++) stiffness[i] += part[i];
+  }
   double mine = HUGE_VAL;
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & groupbit) && stiffness[i] > 0.0)
@@ -136,7 +146,9 @@ void FixOverdampedSphere::find_limit()
 
 void FixOverdampedSphere::reset_dt()
 {
-  if (update->dt > limit && comm->me == 0)
+  if (update->dt <= limit || warned || update->whichflag == 0) return;
+  warned = true;
+  if (comm->me == 0)
     error->warning(FLERR,
                    "Time step {} exceeds {:.4g}, the stability limit of the contact springs "
                    "against the drag of fix overdamped/sphere in the present state: reduce it, or "
@@ -156,6 +168,7 @@ void FixOverdampedSphere::initial_integrate(int /*vflag*/)
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Drag drag = fluid->drag(i);
+    check_particle(i, drag);
     const Flow flow = fluid->flow(i);
     const Vec3 force = vector(atom->f[i]), torque = vector(atom->torque[i]);
     const Vec3 v = lubcontact::overdamped(drag.translation, force, flow.velocity);
@@ -190,20 +203,13 @@ double FixOverdampedSphere::compute_vector(int n)
 
 void FixOverdampedSphere::write_restart(FILE *fp)
 {
-  if (comm->me) return;
-  const double state[] = {fluid->solid, suspension::seal(&fluid->solid, sizeof(double))};
-  const int size = sizeof(state);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(state, sizeof(state), 1, fp);
+  if (comm->me == 0) suspension::write_sealed(fp, fluid->solid);
 }
 
 void FixOverdampedSphere::restart(char *buffer)
 {
-  double state[2];
-  memcpy(state, buffer, sizeof(state));
-  if (suspension::seal(state, sizeof(double)) != state[1])
-    error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
-  fluid->solid = state[0];
+  if (const char *wrong = suspension::read_sealed(buffer, fluid->solid))
+    error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -20,6 +20,10 @@ FixStyle(overdamped/sphere,FixOverdampedSphere);
 
 #include <memory>
 
+namespace lubcontact {
+struct Drag;
+}
+
 namespace LAMMPS_NS {
 
 class BackgroundFluid;
@@ -45,8 +49,10 @@ class FixOverdampedSphere : public Fix {
   std::unique_ptr<BackgroundFluid> fluid;
   double sums[NUM_SUMS];    // of this rank: see the manual
   double limit;             // of the time step, by the contacts at the start of the run
+  bool warned;              // of the limit, in this run
 
-  void check_others() const;
+  void check_others();
+  void check_particle(int, const lubcontact::Drag &) const;
   void find_limit();
 };
 

@@ -27,8 +27,8 @@
 #include "rheometer_servo.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -88,22 +88,31 @@ void FixRheometerPlates::measure_gap()
    what is between the plates, and the mass of the upper plate
 ------------------------------------------------------------------------- */
 
-void FixRheometerPlates::measure_particles()
+enum { VOLUME, MASS, DIAMETER, NUMBER, PLATE, NUM };
+
+struct FixRheometerPlates::Sums {
+  double force[2][3] = {};
+  double particles[NUM] = {};
+};
+
+void FixRheometerPlates::add_particle(int i, bool massless, double *sum) const
 {
-  enum { VOLUME, MASS, DIAMETER, NUMBER, PLATE, NUM };
-  double mine[NUM] = {0.0, 0.0, 0.0, 0.0, 0.0}, all[NUM];
-  const bool flat = domain->dimension == 2;
-  const int massless = overdamped_groups(lmp);
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double r = atom->radius[i];
-    if (atom->mask[i] & bit[UPPER]) mine[PLATE] += atom->rmass[i];
-    if (!(atom->mask[i] & groupbit)) continue;
-    mine[VOLUME] += M_PI * r * r * (flat ? 1.0 : 4.0 / 3.0 * r);
-    if (!(atom->mask[i] & massless)) mine[MASS] += atom->rmass[i];
-    mine[DIAMETER] += 2.0 * r;
-    mine[NUMBER] += 1.0;
-  }
-  MPI_Allreduce(mine, all, NUM, MPI_DOUBLE, MPI_SUM, world);
+  const double r = atom->radius[i];
+  if (atom->mask[i] & bit[UPPER]) sum[PLATE] += atom->rmass[i];
+  if (!(atom->mask[i] & groupbit)) return;
+  if (atom->mask[i] & plate_bits())
+    error->one(FLERR,
+               "Fix rheometer/plates: particle {} of the plates has joined group {} of the "
+               "suspended particles: a dynamic group must not take them",
+               atom->tag[i], group->names[igroup]);
+  sum[VOLUME] += M_PI * r * r * (domain->dimension == 2 ? 1.0 : 4.0 / 3.0 * r);
+  if (!massless) sum[MASS] += atom->rmass[i];
+  sum[DIAMETER] += 2.0 * r;
+  sum[NUMBER] += 1.0;
+}
+
+void FixRheometerPlates::take_particles(const double *all)
+{
   if (load == PRESSURE && all[NUMBER] == 0.0)
     error->all(FLERR,
                "Fix rheometer/plates cannot hold a pressure: group {} of the suspended particles "
@@ -114,6 +123,15 @@ void FixRheometerPlates::measure_particles()
   measured(state.density, all[MASS] / volume, all[MASS] / volume);
   measured(state.diameter, all[DIAMETER] / number, all[DIAMETER] / number);
   measured(state.plate_mass, all[PLATE], all[PLATE]);
+}
+
+void FixRheometerPlates::measure_particles()
+{
+  double mine[NUM] = {}, all[NUM];
+  const int massless = overdamped_groups(lmp);
+  for (int i = 0; i < atom->nlocal; i++) add_particle(i, atom->mask[i] & massless, mine);
+  MPI_Allreduce(mine, all, NUM, MPI_DOUBLE, MPI_SUM, world);
+  take_particles(all);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -128,17 +146,24 @@ void FixRheometerPlates::setup(int vflag)
 }
 
 /* ----------------------------------------------------------------------
-   forces of the suspension on the plates, those between plate and plate included
+   forces of the suspension on the plates, those between plate and plate included; and the particles
+   once more, which come, go and grow
 ------------------------------------------------------------------------- */
 
 void FixRheometerPlates::post_force(int /*vflag*/)
 {
-  double mine[2][3] = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
-  for (int i = 0; i < atom->nlocal; i++)
+  Sums mine, all;
+  const int massless = overdamped_groups(lmp);
+  for (int i = 0; i < atom->nlocal; i++) {
+    add_particle(i, atom->mask[i] & massless, mine.particles);
     for (int plate : {LOWER, UPPER})
       if (atom->mask[i] & bit[plate])
-        for (int d = 0; d < 3; d++) mine[plate][d] += atom->f[i][d];
-  MPI_Allreduce(mine, force_on, 6, MPI_DOUBLE, MPI_SUM, world);
+        for (int d = 0; d < 3; d++) mine.force[plate][d] += atom->f[i][d];
+  }
+  MPI_Allreduce(mine.force[0], all.force[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM,
+                world);
+  std::copy_n(all.force[0], 6, force_on[0]);
+  take_particles(all.particles);
 }
 
 /* ----------------------------------------------------------------------
@@ -319,7 +344,8 @@ void FixRheometerPlates::move_particles(double dt)
 void FixRheometerPlates::set_velocities()
 {
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & (bit[LOWER] | bit[UPPER]))) continue;
+    if (!(atom->mask[i] & plate_bits())) continue;
+    own.check(atom->mask[i]);
     const bool moves = atom->mask[i] & bit[UPPER];
     double *v = atom->v[i], *omega = atom->omega[i];
     v[0] = moves ? state.vx : 0.0;
@@ -428,20 +454,13 @@ void FixRheometerPlates::write_restart(FILE *fp)
   state.load = load;
   state.amplitude = amplitude.value;
   state.frequency = frequency;
-  const double sum = suspension::seal(&state, sizeof(State));
-  const int size = sizeof(State) + sizeof(sum);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&state, sizeof(State), 1, fp);
-  fwrite(&sum, sizeof(sum), 1, fp);
+  suspension::write_sealed(fp, state);
 }
 
 void FixRheometerPlates::restart(char *buffer)
 {
-  double sum;
-  memcpy(&state, buffer, sizeof(State));
-  memcpy(&sum, buffer + sizeof(State), sizeof(sum));
-  if (suspension::seal(&state, sizeof(State)) != sum)
-    error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
+  if (const char *wrong = suspension::read_sealed(buffer, state))
+    error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
 
   // another drive or load than in the run that wrote the file begins anew, as after fix_modify
   const bool other_wave = amplitude.is_number() && state.amplitude != amplitude.value;

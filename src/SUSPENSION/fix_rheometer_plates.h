@@ -18,6 +18,7 @@ FixStyle(rheometer/plates,FixRheometerPlates);
 
 #include "fix.h"
 
+#include "exclusive_particles.h"
 #include "rheometer_mean.h"
 #include "rheometer_target.h"
 
@@ -66,7 +67,8 @@ class FixRheometerPlates : public Fix {
   static constexpr const char *PLATE_NAME[] = {"lower", "upper"};
 
   // settings
-  int igroup_plate[2], bit[2];    // lower and upper
+  std::string plate_name[2];      // groups of the lower and upper one
+  int igroup_plate[2], bit[2];    // and what they are in this run
   Drive drive;
   Load load;
   RheometerTarget target_x;           // rate (g0 of oscillate), velocity, stress, or iv
@@ -102,6 +104,7 @@ class FixRheometerPlates : public Fix {
   } listed;
 
   double force_on[2][3];     // of the suspension on the plates
+  ExclusiveParticles own;    // particles of the plates
   const double *pair_eta;    // viscosity of the pair style, or null
 
   // input
@@ -113,7 +116,7 @@ class FixRheometerPlates : public Fix {
   void parse_load(int, char **, int);
   void parse_number(const std::string &, char **, int);
   void check_combination(const Places &, char **) const;
-  int find_plate(const char *, int) const;
+  void find_plate(int, int);
   int place(char **, int) const;
 
   // checks at the start of a run
@@ -121,7 +124,7 @@ class FixRheometerPlates : public Fix {
   void check_viscosity();
   void check_cell() const;
   void check_groups() const;
-  void check_integrators() const;
+  void exclude_integrators();
   void check_exclusion(int) const;
   bool excluded_by_group(int) const;
   bool excluded_by_type(int) const;
@@ -133,7 +136,10 @@ class FixRheometerPlates : public Fix {
   rheometer::Material material() const;
   rheometer::WallStress stress_on(int) const;
   void measure_gap();
+  struct Sums;
+  void add_particle(int, bool, double *) const;
   void measure_particles();
+  void take_particles(const double *);
   void evaluate_targets();
   void move_y(double);
   double rate_of_drive(double);

@@ -36,7 +36,8 @@ void FixRheometerPlates::init()
 {
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR,
-               "Fix rheometer/plates does not support run_style respa; use: run_style verlet");
+               "Fix rheometer/plates does not work with run_style respa; use: run_style verlet");
+  for (int plate : {LOWER, UPPER}) find_plate(plate, Error::NOPOINTER);
   check_cell();
   check_groups();
   for (int plate : {LOWER, UPPER}) check_exclusion(plate);
@@ -44,8 +45,9 @@ void FixRheometerPlates::init()
   target_x.check(lmp, style, DRIVE_NAME[drive]);
   if (drive == OSCILLATE) amplitude.check(lmp, style, "oscillate");
   if (load != GAP) target_y.check(lmp, style, LOAD_NAME[load]);
+  own.start(plate_bits());
   if (update->whichflag != 1) return;
-  check_integrators();
+  exclude_integrators();
   set_velocities();
 }
 
@@ -63,9 +65,11 @@ void FixRheometerPlates::check_viscosity()
   pair_eta = viscosity_of_pair(lmp);
   const bool films = find_lubcontact(lmp) != nullptr;
   if (!pair_eta && (drive == IV || (films && load != GAP)))
-    error->all(FLERR,
-               "Fix rheometer/plates does not find the viscosity of the fluid in the pair style; "
-               "add: viscosity eta");
+    error->all(
+        FLERR,
+        "Fix rheometer/plates does not find the viscosity of the fluid in the pair style: {}; "
+        "add: viscosity eta",
+        why_no_viscosity(lmp));
 }
 
 /* ----------------------------------------------------------------------
@@ -131,23 +135,20 @@ void FixRheometerPlates::check_groups() const
    nobody else moves the plates
 ------------------------------------------------------------------------- */
 
-void FixRheometerPlates::check_integrators() const
+void FixRheometerPlates::exclude_integrators()
 {
-  const int plates = bit[LOWER] | bit[UPPER];
   for (const auto &other : modify->get_fix_list()) {
     if (other == this) continue;
     int moved = other->time_integrate ? other->groupbit : 0;
     const auto *cell = dynamic_cast<FixRheometerPlates *>(other);
-    if (cell) moved = cell->bit[LOWER] | cell->bit[UPPER];
-    bigint mine = 0, all;
-    for (int i = 0; i < atom->nlocal; i++)
-      if ((atom->mask[i] & plates) && (atom->mask[i] & moved)) mine++;
-    MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-    if (all)
-      error->all(FLERR,
-                 "Fix {} {} moves {} particles of the plates, which fix rheometer/plates moves by "
-                 "itself; use for it: group {}",
-                 other->id, other->style, all, group->names[igroup]);
+    if (cell) moved = cell->plate_bits();
+    if (!moved) continue;
+    const std::string name = other->id, kind = other->style, between = group->names[igroup];
+    own.forbid(moved, [name, kind, between](const std::string &who) {
+      return fmt::format("Fix {} {} moves {} of the plates, which fix rheometer/plates moves by "
+                         "itself; use for it: group {}",
+                         name, kind, who, between);
+    });
   }
 }
 

@@ -46,7 +46,7 @@ struct FixRheometerPlates::Places : std::map<std::string, int> {};
 FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), igroup_plate{0, 0}, bit{0, 0}, drive(RATE), load(GAP), frequency(0.0),
     own_viscosity(false), mass(0.0), damper_x(0.0), damper_y(0.0), gain(1.0),
-    keeper(new ListKeeper(lmp, this)), force_on{}, pair_eta(nullptr)
+    keeper(new ListKeeper(lmp, this)), force_on{}, own(lmp), pair_eta(nullptr)
 {
   force_reneighbor = 1;
   next_reneighbor = -1;
@@ -55,8 +55,8 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "Fix rheometer/plates needs finite-size spheres; use: atom_style sphere");
   for (int plate : {LOWER, UPPER}) {
-    igroup_plate[plate] = find_plate(arg[3 + plate], 3 + plate);
-    bit[plate] = group->bitmask[igroup_plate[plate]];
+    plate_name[plate] = arg[3 + plate];
+    find_plate(plate, 3 + plate);
   }
   if (igroup_plate[LOWER] == igroup_plate[UPPER])
     error->all(FLERR, 4, "Fix rheometer/plates needs two plates, but both are group {}", arg[4]);
@@ -73,17 +73,21 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
 
 FixRheometerPlates::~FixRheometerPlates() = default;
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   again in each run: a group may have been deleted, or made dynamic
+------------------------------------------------------------------------- */
 
-int FixRheometerPlates::find_plate(const char *name, int iarg) const
+void FixRheometerPlates::find_plate(int plate, int iarg)
 {
+  const std::string &name = plate_name[plate];
   const int found = group->find(name);
   if (found < 0)
     error->all(FLERR, iarg, "Group {} of the {} plate of fix rheometer/plates does not exist", name,
-               PLATE_NAME[iarg - 3]);
+               PLATE_NAME[plate]);
   if (group->dynamic[found])
     error->all(FLERR, iarg, "Group {} of fix rheometer/plates must not be dynamic", name);
-  return found;
+  igroup_plate[plate] = found;
+  bit[plate] = group->bitmask[found];
 }
 
 /* ----------------------------------------------------------------------

@@ -46,9 +46,10 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     kt(nullptr), asperity(nullptr), roughness(nullptr), friction(nullptr), law(nullptr),
     critical(nullptr), adhesion(nullptr), repulsion(nullptr), screening(nullptr), coeffs(nullptr),
     reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
-    fix_history(nullptr), history_place(nullptr), reported(false), partition_now(false),
-    partition_atom_now(false), power_now(false), ghosts_of_user(0.0), ghosts_raised(0.0), mask(0), instance(0),
-    size_history(0), history_layout(0), eval(nullptr), eval_single(nullptr), exchange(nullptr)
+    fix_history(nullptr), history_place(nullptr), reported(false), warned_dt(false),
+    partition_now(false), partition_atom_now(false), power_now(false), ghosts_of_user(0.0),
+    ghosts_raised(0.0), mask(0), instance(0), size_history(0), history_layout(0), eval(nullptr),
+    eval_single(nullptr), exchange(nullptr)
 {
   static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
   static_assert(NUM_ORIGINS == lubcontact::NUM_ORIGINS, "one row of power per origin");
@@ -179,6 +180,7 @@ void PairLubcontact::init_style()
   mask = choose_mask();
   instance = lubcontact::covering(mask);
   choose_effects();
+  check_host();
 
   if (update->whichflag == 2 && size_history)
     error->all(FLERR,
@@ -194,6 +196,23 @@ void PairLubcontact::init_style()
   clients = modify->get_compute_by_style("^stress/partition$");
   atom_clients = modify->get_compute_by_style("^stress/partition/atom");
   power_clients = modify->get_compute_by_style("^power/partition$");
+}
+
+/* ----------------------------------------------------------------------
+   what LAMMPS cannot do for a style whose pairs have a history: half steps of rRESPA, which would
+   advance it several times a step, and the way back of ghosts between tiles
+------------------------------------------------------------------------- */
+
+void PairLubcontact::check_host() const
+{
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR,
+               "Pair style lubcontact does not work with run_style respa; use: run_style verlet");
+  if (comm->style == Comm::TILED && force->newton_pair && size_history)
+    error->all(FLERR,
+               "Pair style lubcontact with comm_style tiled needs newton off for pairs, because "
+               "LAMMPS cannot send the history of ghosts back between tiles; add before the box is "
+               "made: newton off");
 }
 
 /* ----------------------------------------------------------------------

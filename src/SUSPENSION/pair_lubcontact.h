@@ -47,6 +47,7 @@ class PairLubcontact : public Pair {
   void init_style() override;
   double init_one(int, int) override;
   void setup() override;
+  void reset_dt() override;
   void write_restart(FILE *) override;
   void read_restart(FILE *) override;
   void write_restart_settings(FILE *) override;
@@ -103,7 +104,7 @@ class PairLubcontact : public Pair {
     double critical, pull_off, repulsion;
   };
   SurfaceForces surface_forces(int, int, double) const;
-  double viscosity() const;                    // NaN for a variable not yet evaluated
+  double viscosity() const;                        // NaN for a variable not yet evaluated
   unsigned effects() const { return instance; }    // of the last run: those of the history
   class FixNeighHistoryLubcontact *history() const { return fix_history; }    // or null
   bigint forget_history(int);    // of the particles in a group, from the next run on; records
@@ -142,6 +143,7 @@ class PairLubcontact : public Pair {
   class FixNeighHistoryLubcontact *fix_history;
   class FixNeighHistoryPlace *history_place;    // until the size of the history is known
   bool reported;                                // the table of this run has been printed
+  bool warned_dt;                               // that the step exceeds its limit, in this run
   bool partition_now, partition_atom_now, power_now;
   std::vector<class Compute *> clients;          // every compute stress/partition
   std::vector<class Compute *> atom_clients;     // every compute stress/partition/atom
@@ -153,7 +155,8 @@ class PairLubcontact : public Pair {
   const char *faces_of(int i) const { return faces.empty() ? nullptr : &faces[first_face[i]]; }
   int set_range(int, char **);
   void require_voronoi(int);
-  double ghosts_of_user, ghosts_raised;    // cut-off of ghosts before, and since, range voronoi asked
+  double ghosts_of_user,
+      ghosts_raised;    // cut-off of ghosts before, and since, range voronoi asked
   void request_ghosts();
   void return_ghosts();
   void tessellate();
@@ -226,6 +229,7 @@ class PairLubcontact : public Pair {
   void check_motion() const;
   double sum_stiffness(double, double);
   double time_step_limit() const;
+  void check_host() const;
   double shear_rate() const;
   void report(double, double);
   [[noreturn]] void overlap_error(int, int, double) const;

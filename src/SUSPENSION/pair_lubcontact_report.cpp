@@ -23,6 +23,7 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "pair_lubcontact_checks.h"
+#include "rheometer_target.h"
 #include "update.h"
 
 #include <algorithm>
@@ -218,16 +219,20 @@ void PairLubcontact::setup()
   const double mine = sum_stiffness(lubcontact::SPIN_OF_INERTIA, 0.0);
   double pairs;
   MPI_Allreduce(&mine, &pairs, 1, MPI_DOUBLE, MPI_SUM, world);
+  const auto all = all_lubcontact(lmp);    // a particle feels the springs of every sub-style
+  for (PairLubcontact *other : all) {
+    if (other == this) continue;
+    other->tessellate();    // its own set-up may come later
+    other->sum_stiffness(lubcontact::SPIN_OF_INERTIA, 0.0);
+    for (int i = 0; i < atom->nlocal; i++) stiffness[i] += other->stiffness[i];
+  }
   const double limit = dt_limit = time_step_limit();
   double mass = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->radius[i] > 0.0) mass += atom->rmass[i];
   MPI_Allreduce(&mass, &dt_limit_mass, 1, MPI_DOUBLE, MPI_SUM, world);
-  if (update->dt > limit && comm->me == 0)
-    error->warning(FLERR,
-                   "Time step {} exceeds {:.4g}, the stability limit of the contact springs in the "
-                   "present state: reduce it, or soften the contact",
-                   update->dt, limit);
+  warned_dt = this != all.front();    // one speaks for all
+  reset_dt();
   lubcontact_checks::check_skin(lmp,
                                 *std::max_element(max_radius + 1, max_radius + atom->ntypes + 1));
   if (!reported) {
@@ -237,6 +242,21 @@ void PairLubcontact::setup()
     report(pairs, limit);
   }
   reported = dt_limit_mass > 0.0;    // again when there are particles
+}
+
+/* ----------------------------------------------------------------------
+   also when fix dt/reset has changed the step; not between runs, when the limit may be an old one
+------------------------------------------------------------------------- */
+
+void PairLubcontact::reset_dt()
+{
+  if (warned_dt || update->whichflag == 0 || dt_limit <= 0.0 || update->dt <= dt_limit) return;
+  warned_dt = true;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "Time step {} exceeds {:.4g}, the stability limit of the contact springs in the "
+                   "state at the start of the run: reduce it, or soften the contact",
+                   update->dt, dt_limit);
 }
 
 /* ----------------------------------------------------------------------

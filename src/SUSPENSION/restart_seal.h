@@ -16,6 +16,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <type_traits>
 
 namespace suspension {
 
@@ -38,6 +41,44 @@ inline const double *part_of_atom(const double *values, int n, int total)
     begin += length;
   }
   return values + static_cast<int>(begin);
+}
+
+// What a fix writes once: a mark with the length, the state, its seal. The length comes first, because
+// LAMMPS hands over what it has read without saying how much that is.
+template <class State> struct Sealed {
+  static_assert(std::is_trivially_copyable<State>::value && sizeof(State) % sizeof(double) == 0,
+                "doubles only: padding has no value to be sealed");
+  static constexpr std::uint64_t MARK = 0x5355535000000000ULL;    // no plausible number as a double
+  static constexpr std::uint64_t HEAD = MARK + sizeof(State);
+
+  std::uint64_t head = HEAD;
+  State state{};
+  double sum = 0.0;
+};
+
+template <class State> void write_sealed(FILE *fp, const State &state)
+{
+  Sealed<State> record;
+  record.state = state;
+  record.sum = seal(&record.state, sizeof(State));
+  const int size = sizeof(record);    // LAMMPS reads this one
+  std::fwrite(&size, sizeof(size), 1, fp);
+  std::fwrite(&record, sizeof(record), 1, fp);
+}
+
+// Null, or what is wrong; then the state is as before.
+template <class State> const char *read_sealed(const char *buffer, State &state)
+{
+  Sealed<State> record;
+  std::memcpy(&record.head, buffer, sizeof(record.head));
+  if (record.head != record.HEAD)
+    return "is damaged, or of another version of the package: use another file, or go on from a "
+           "data "
+           "file that the version writes which made this one";
+  std::memcpy(&record, buffer, sizeof(record));
+  if (seal(&record.state, sizeof(State)) != record.sum) return "is damaged: use another one";
+  state = record.state;
+  return nullptr;
 }
 
 }    // namespace suspension

@@ -13,7 +13,7 @@
 #include "force.h"
 #include "input.h"
 #include "lammps.h"
-#include "pair.h"
+#include "pair_lubcontact.h"
 #include "variable.h"
 
 using namespace LAMMPS_NS;
@@ -59,9 +59,43 @@ Pair *LAMMPS_NS::find_lubcontact(LAMMPS *lmp)
   return pair ? pair : lmp->force->pair_match("^lubcontact", 0, 1);
 }
 
+std::vector<PairLubcontact *> LAMMPS_NS::all_lubcontact(LAMMPS *lmp)
+{
+  Force *force = lmp->force;
+  std::vector<PairLubcontact *> found;
+  if (Pair *only = force->pair_match("^lubcontact", 0)) {
+    found.push_back(dynamic_cast<PairLubcontact *>(only));
+  } else {    // several under hybrid
+    for (int nsub = 1; Pair *pair = force->pair_match("^lubcontact", 0, nsub); nsub++)
+      found.push_back(dynamic_cast<PairLubcontact *>(pair));
+  }
+  return found;
+}
+
+/* ---------------------------------------------------------------------- */
+
 const double *LAMMPS_NS::viscosity_of_pair(LAMMPS *lmp)
 {
-  Pair *pair = find_lubcontact(lmp);
+  const double *found = nullptr;
   int dim;
-  return pair ? static_cast<const double *>(pair->extract("eta", dim)) : nullptr;
+  for (PairLubcontact *pair : all_lubcontact(lmp)) {
+    const auto *eta = static_cast<const double *>(pair->extract("eta", dim));
+    if (!eta || (found && *found != *eta)) return nullptr;
+    found = eta;
+  }
+  return found;
+}
+
+std::string LAMMPS_NS::why_no_viscosity(LAMMPS *lmp)
+{
+  const auto pairs = all_lubcontact(lmp);
+  if (pairs.empty()) return "there is no pair style lubcontact";
+  std::string values;
+  int dim;
+  for (PairLubcontact *pair : pairs) {
+    const auto *eta = static_cast<const double *>(pair->extract("eta", dim));
+    if (!eta) return "the viscosity of pair style lubcontact is a variable";
+    values += fmt::format("{}{}", values.empty() ? "" : " and ", *eta);
+  }
+  return "the sub-styles lubcontact have different viscosities, " + values;
 }

@@ -11,10 +11,12 @@
 #define LMP_RHEOMETER_TARGET_H
 
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 class LAMMPS;
 class Pair;
+class PairLubcontact;
 
 // What an input script gives as a number or as v_name, an equal-style variable
 struct RheometerTarget {
@@ -31,8 +33,12 @@ struct RheometerTarget {
 // pair style lubcontact, alone or the first under hybrid, or null
 Pair *find_lubcontact(LAMMPS *);
 
-// its viscosity; null without it, or if it is a variable
+// all of them
+std::vector<PairLubcontact *> all_lubcontact(LAMMPS *);
+
+// their viscosity; null without them, if it is a variable, or if they do not agree
 const double *viscosity_of_pair(LAMMPS *);
+std::string why_no_viscosity(LAMMPS *);
 
 }    // namespace LAMMPS_NS
 

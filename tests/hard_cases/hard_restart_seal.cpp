@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <string>
+#include <vector>
 
 // first 52 bits of what the authors of FNV-1a publish for these strings
 TEST(RestartSeal, PublishedValues)
@@ -40,4 +43,66 @@ TEST(RestartSeal, PartsOfAnAtom)
     values[2] = damaged;
     EXPECT_EQ(suspension::part_of_atom(values, 2, 7), nullptr) << damaged;
   }
+}
+
+namespace {
+
+struct Small {
+  double a, b;
+};
+struct Large {
+  double a, b, c, d, e;
+};
+
+// what LAMMPS hands to restart(): the bytes after the length, in memory of exactly that size
+template <class State> std::vector<char> written(const State &state)
+{
+  FILE *fp = std::tmpfile();
+  suspension::write_sealed(fp, state);
+  std::rewind(fp);
+  int size = 0;
+  EXPECT_EQ(std::fread(&size, sizeof(size), 1, fp), 1U);
+  std::vector<char> bytes(static_cast<std::size_t>(size));
+  EXPECT_EQ(std::fread(bytes.data(), 1, bytes.size(), fp), bytes.size());
+  EXPECT_EQ(std::fgetc(fp), EOF);
+  std::fclose(fp);
+  return bytes;
+}
+
+}    // namespace
+
+TEST(RestartSeal, RecordThereAndBack)
+{
+  const std::vector<char> bytes = written(Large{1, 2, 3, 4, 5});
+  Large back{};
+  EXPECT_EQ(suspension::read_sealed(bytes.data(), back), nullptr);
+  EXPECT_EQ(back.a, 1);
+  EXPECT_EQ(back.e, 5);
+}
+
+TEST(RestartSeal, RecordOfAnotherLength)
+{
+  Large large{7, 7, 7, 7, 7};
+  const std::vector<char> shorter = written(Small{1, 2});    // the sanitizer sees a byte behind it
+  EXPECT_NE(std::strstr(suspension::read_sealed(shorter.data(), large), "another version"),
+            nullptr);
+  EXPECT_EQ(large.a, 7);
+  Small small{7, 7};
+  const std::vector<char> longer = written(Large{1, 2, 3, 4, 5});
+  EXPECT_NE(std::strstr(suspension::read_sealed(longer.data(), small), "another version"), nullptr);
+  const std::vector<double> bare = {32.0, 0.5};    // without a mark, as earlier versions wrote it
+  EXPECT_NE(suspension::read_sealed(reinterpret_cast<const char *>(bare.data()), small), nullptr);
+}
+
+TEST(RestartSeal, AnyBitOfARecordCounts)
+{
+  const std::vector<char> whole = written(Small{1.5, -2.5});
+  for (std::size_t n = 0; n < whole.size(); n++)
+    for (int bit = 0; bit < 8; bit++) {
+      std::vector<char> bytes = whole;
+      bytes[n] = static_cast<char>(bytes[n] ^ (1 << bit));
+      Small state{7, 7};
+      EXPECT_NE(suspension::read_sealed(bytes.data(), state), nullptr) << n << " " << bit;
+      EXPECT_EQ(state.a, 7);
+    }
 }

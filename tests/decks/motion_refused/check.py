@@ -2,7 +2,6 @@
 import deck
 
 D, O = "fix d all drag/background", "fix o all overdamped/sphere"
-MOVE = "fix move all nve/sphere\n"
 CASES = [    # lines in place of the fix, message, underlined word or None, variables
     (D, "missing argument", None),
     (D + " thick", "instead of 'thick'", None),
@@ -43,7 +42,7 @@ CASES = [    # lines in place of the fix, message, underlined word or None, vari
     (O, "missing argument", None),
     (O + " 1 isolated 3", "cannot move particles without drag: remove isolated", "isolated"),
     (O + " 0", "without drag: viscosity, hindrance and radius must be > 0", None),
-    (MOVE + O + " 1", "Fix move nve/sphere moves 2 particles that fix overdamped/sphere moves, too", None),
+    ("fix move all nve/sphere\n" + O + " 1", "Fix move nve/sphere moves 2 particles that fix overdamped/sphere moves, too", None),
     (O + " 1 hindrance 0", "cannot move atom", None),
 ]
 TEMPLATE = (deck.CASE / "in.refused").read_text()

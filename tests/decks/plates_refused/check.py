@@ -48,7 +48,16 @@ CASES = [    # lines in place of the fix, message, underlined word or None
     (P + "\nfix q between rheometer/plates lower upper", "moves 2 particles of the plates", None),
     ("create_atoms 1 single 2 1 2\ngroup lower id 1 4\nset group all diameter 2\n" + P,
      "add: neigh_modify exclude group lower lower", None),
-    (P + "\nrun_style respa 2 2 pair 1", "does not support run_style respa", None),
+    (P + "\nrun_style respa 2 2 pair 1", "does not work with run_style respa", None),
+    (P + "\npair_style zero 2\npair_coeff * *\nrun_style respa 2 2 pair 1", "Fix rheometer/plates does not work with run_style respa", None),
+    (P + "\nchange_box all boundary p p p", "would meet across the periodic boundary along y", None),
+    (P + "\ngroup upper delete", "Group upper of the upper plate of fix rheometer/plates does not exist", None),
+    (P + "\ngroup upper delete\ngroup new id 3\nrun 2", "Group upper of the upper plate of fix rheometer/plates does not exist", None),
+    (P + "\nregion r block 0 1 0 1 0 1\ngroup lower clear\ngroup lower dynamic all region r", "Group lower of fix rheometer/plates must not be dynamic", None),
+    ("variable v atom step>1\ngroup g dynamic all var v every 1\nfix m g nve/sphere\n" + P + "\nrun 4",
+     "Fix m nve/sphere moves a particle new in its group of the plates", None),
+    ("variable v atom step>1\ngroup g dynamic all var v every 1\n" + P.replace("between", "g") + "\nrun 4",
+     "of the plates has joined group g of the suspended particles", None),
     (P + "\nfix_modify p damper 3", "damper cannot act without load", "damper"),
     (P + "\nfix_modify p pressure -1", "pressure must be > 0, but is -1", "-1"),
     (P + "\nfix_modify p ratio 1", "does not support fix_modify ratio", None),
@@ -56,7 +65,7 @@ CASES = [    # lines in place of the fix, message, underlined word or None
     (P + " pressure 1\ndelete_atoms group between", "group between of the suspended particles is empty", None),
     (P + " load 1e3\ntimestep 1e-1\ndelete_atoms group between\nrun 2000", "the plates have met at step", None),
     (P + " pressure 1\npair_style zero 2\npair_coeff * *\ntimestep 1e-2\npair_style lubcontact v_eta cut 0.5\npair_coeff * * 1 1",
-     "does not find the viscosity of the fluid in the pair style; add: viscosity eta", None),
+     "in the pair style: the viscosity of pair style lubcontact is a variable; add: viscosity eta", None),
 ]
 
 TEMPLATE = (deck.CASE / "in.refused").read_text()

@@ -101,6 +101,8 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"extra": "compute m all microstructure angle 10 plane"}, "missing argument: xy|xz|yz; write: plane xy|xz|yz", None),
     ({"extra": "suspension_scene viscosity"}, "missing argument: value; write: viscosity value", None),
     ({"extra": "suspension_scene measure"}, "missing argument: N; write: measure N ...", None),
+    ({"extra": "run_style respa 2 2 pair 1"}, "Pair style lubcontact does not work with run_style respa; use: run_style verlet", None),
+    ({"extra": "comm_style tiled"}, "LAMMPS cannot send the history of ghosts back between tiles; add before the box is made: newton off", None),
     ({"extra": "fix d all drag/background -1"}, "viscosity must be >= 0, but is -1", "-1"),
     ({"extra": "fix d all drag/background 1 flow 1"}, "Unknown fix drag/background keyword: flow", "flow"),
 ]

@@ -46,6 +46,15 @@ deck.expect("no settings for a pressure that may be two", "cannot tell: the pres
 text = log(more="fix shear all deform/rheometer rate 1 volume", coeffs="friction clm step 0.5 20", words="tolerance 0.2 pressure 30")
 deck.expect("  but for a given one", "Deck lines to use" in text)
 
+LIMIT, RESET = "the stability limit of the contact springs", "fix step all dt/reset 5 {0} {1} 100"
+deck.expect("no warning below the limit", LIMIT not in log())
+deck.expect("fix dt/reset beyond the limit warns once", log(more=RESET.format(plain, 1.2 * plain)).count(LIMIT) == 1)
+massless = 'if "1 == 1" then "unfix move" "fix move all overdamped/sphere pair" "timestep 1e-5" '
+slow = float(re.search(r"^Fix overdamped/sphere: .* stability limit (\S+)$", log(more=massless), re.MULTILINE).group(1))
+text = log(more=massless + '"' + RESET.format(slow, 1.2 * slow) + '"')
+deck.expect("  without inertia, too", text.count("against the drag of fix overdamped/sphere") == 1)
+deck.expect("not between two runs", LIMIT not in log(then='if "1 == 1" then "timestep 1" "timestep 1e-4"'))
+
 # skin of the neighbor lists: LAMMPS' default is one length for all particles
 LONG = "times the largest radius: the lists are long and slow; use: neighbor 0."
 largest = max(float(line.split()[2]) / 2 for line in open("state.data", encoding="ascii").read().split("Atoms")[1].split("Velocities")[0]
