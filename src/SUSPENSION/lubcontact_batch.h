@@ -97,9 +97,10 @@ template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
     for (double &usual : b.usual) usual = 0.0;
     return;
   }
-  // constants of CUT, which save three divisions
+  // the constant of CUT saves three divisions
   if (E::squeeze && f.shift == 0.0)
-    step_lanes<E>(b, {f.viscosity, f.range, 0.0, 0.0, 0.0, 0.0, f.roll_coeff}, dt);
+    step_lanes<E>(b, {f.viscosity, f.range, 0.0, f.shear_end, f.roll_end, f.twist_end, f.roll_coeff},
+                  dt);
   else
     step_lanes<E>(b, f, dt);
 }

@@ -80,6 +80,18 @@ std::ostream &operator<<(std::ostream &out, const Draw &d)
              << d.un0 << " un1 " << d.un1 << " h " << d.h;
 }
 
+// u stays the same length when the radii, and with them a, grow.
+TEST(RescaledGap, KeepsTheLength)
+{
+  for (double u : {0.3, 1e-2, 1e-9, 1e-250}) {
+    const double a = 1.3, grown = 1.7;
+    double gap[2] = {u / a, std::log(u / a)};
+    rescale_gap(a / grown, gap);
+    EXPECT_NEAR(gap[0] * grown / u, 1.0, 1e-15);
+    EXPECT_NEAR(gap[1], std::log(u) - std::log(grown), 1e-12);
+  }
+}
+
 }    // namespace
 
 TEST(ExponentialMean, AgreesWithQuadratureOnBothSidesOfTheSeries)
