@@ -37,7 +37,7 @@ inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone0, double co
   // slip along the trial direction
   const double left = larger(0.0, f.keep * first + f.gain * moved);
   const double size = cone + (inside ? f.gain * last : left);
-  const double ratio = size / (slips ? far : 1.0);
+  const double ratio = size / larger(far, larger(cone, 1e-300));    // of use where far is more
   const Vec3 rubbed = (slips ? ratio : 1.0) * trial;    // stick: the film carries nothing
   return select(cone > 0.0, rubbed, f.keep * q0 + f.gain * slip);
 }

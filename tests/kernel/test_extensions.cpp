@@ -24,7 +24,7 @@ NormalCoeffs make_coeffs(double g, double k, double eps, double delta, double F0
 
 Gap gap_of(double u, bool bond)
 {
-  return {u, std::log(u), bond};
+  return {u, std::log(u), bond ? 1.0 : 0.0};
 }
 
 double motion(const LawsCase &c, double t)

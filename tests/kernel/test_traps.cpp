@@ -91,6 +91,10 @@ template <class F> void for_every_law(F &&f)
 
 TEST(Traps, BatchesThatArePartlyFilledOrEmpty)
 {
+#ifdef __clang__
+  GTEST_SKIP()
+      << "with -fno-trapping-math Clang computes both sides of a choice, 0/0 on the other one";
+#endif
   for (const Range rule : {Range::CUT, Range::SHIFTED})
     for_every_law([rule](auto mask) {
       using E = Effects<mask.value>;
