@@ -23,6 +23,8 @@ from statistics import NormalDist
 
 import numpy as np
 
+from ave_time import read_ave_time    # for those who use this module, too
+
 ONE_SIGMA = 0.6827      # level of the errors
 MIN_SAMPLES = 20        # fewer have no correlation length
 MIN_INDEPENDENT = 5     # below, the correlation length is a guess: at 5 relaxation times it comes out half too small
@@ -40,51 +42,6 @@ class TooShort(ValueError):
 
 class NotSteady(ValueError):
     """The signal has no steady part."""
-
-
-def read_ave_time(name):
-    """Columns of a file of fix ave/time in scalar mode: dict of name -> array, first TimeStep.
-
-    A last line still being written is left out. Where a run was continued and appended, the earlier run's
-    values from that step on are dropped. ValueError: not such a file, or not a run and its continuation.
-    """
-    with open(name, encoding="ascii", errors="replace") as file:
-        lines = file.read().split("\n")[:-1]    # what follows the last newline is not complete
-    names, rows, joints, fresh = None, [], set(), False    # joints: rows with which a run begins
-    for number, line in enumerate(lines, 1):
-        words = line.split()
-        if words[:2] == ["#", "TimeStep"]:
-            if names not in (None, words[1:]):
-                raise ValueError(f"{name}, line {number}: columns change; keep such runs in separate files")
-            names, fresh = words[1:], True
-            if "Number-of-rows" in names:
-                raise ValueError(f"{name} is of mode vector; fix ave/time must have mode scalar")
-        elif words and "#" not in line:    # a killed run may end within the line of the next header
-            try:
-                row = [float(word) for word in words]
-            except ValueError:
-                row = []
-            if names is None or len(row) != len(names):
-                raise ValueError(f"{name}, line {number}: not one number for each name of '# TimeStep name ...'")
-            while rows and rows[-1][0] >= row[0]:
-                rows.pop()
-            joints.update([len(rows)] if fresh else [])
-            rows.append(row)
-            fresh = False
-    if not rows:
-        raise ValueError(f"{name} has no complete line of data")
-    check_spacing(name, np.array(rows)[:, 0], joints)
-    return dict(zip(names, np.array(rows).T))
-
-
-def check_spacing(name, steps, joints):
-    """ValueError if the steps are not equally spaced; where a run was appended one line may be missing."""
-    apart = np.diff(steps)
-    usual = next((d for n, d in enumerate(apart, 1) if n not in joints), None)
-    for n, distance in enumerate(apart, 1):
-        if usual and distance != usual and not (n in joints and distance == 2 * usual):
-            raise ValueError(f"{name}: {usual:g} steps between lines, but {distance:g} after step {steps[n - 1]:g}: "
-                             "not one run and its continuation; keep other runs in files of their own")
 
 
 def student(level, dof):
@@ -191,9 +148,10 @@ def steady_start(*signals, false_alarms=0.05):
     """Index of the first sample of the steady part, the latest of several signals of equal length.
 
     Twice the end of the transient by MSER-5: that rule stops where an exponential has sunk to the
-    scatter; as much again lets it sink to insignificance. NotSteady: the start is in the last half, or a
-    trend is left (false_alarms: how often chance does that to steady signals, all together). TooShort:
-    fewer than 50 samples.
+    scatter; as much again lets it sink to insignificance. That may be more than half of the signal, also
+    by chance where the correlation is long: then the last half is taken, unless the whole signal or its
+    last three quarters drift. NotSteady: these do, or a trend is left (false_alarms: how often chance does
+    that to steady signals, all together). TooShort: fewer than 50 samples.
     """
     signals = [as_signal(values) for values in signals]
     n = len(signals[0])
@@ -201,10 +159,16 @@ def steady_start(*signals, false_alarms=0.05):
         raise ValueError("signals must be of equal length")
     if n < 50:
         raise TooShort(f"only {n} samples; 50 are needed to find a steady part")
+
+    def drift_from(*starts):
+        return any(has_trend(values[first:], 1 - false_alarms / len(signals)) for values in signals for first in starts)
+
     start = 2 * max(end_of_transient(values) for values in signals)
     if start > n // 2:
-        raise NotSteady("the transient fills more than a quarter of the signal; run longer")
-    if any(has_trend(values[start:], 1 - false_alarms / len(signals)) for values in signals):
+        if drift_from(0, n // 4):
+            raise NotSteady("the transient fills more than a quarter of the signal; run longer")
+        start = n // 2
+    if drift_from(start):
         raise NotSteady("the signal still drifts at its end; run longer")
     return start
 

@@ -131,6 +131,16 @@ class SteadyStart(Case):
             self.assertGreater(self.starts(transient)[1], 0.95)
         self.assertGreater(self.starts(2.5 * self.time / 1000)[1], 0.85)
 
+    def test_slow_fluctuations_are_no_transient(self):
+        refused, starts = 0, []    # a dozen correlation lengths each
+        for signal in first_order(self.rng, 400, 500, 20):
+            try:
+                starts.append(steady.steady_start(signal))
+            except NotSteady:
+                refused += 1
+        self.assertLess(refused / 400, 0.13)
+        self.assertLessEqual(max(starts), 250)
+
     def test_trend_left_after_the_start(self):
         self.assertTrue(steady.has_trend(np.arange(100.0)))
         self.assertFalse(steady.has_trend(np.ones(100)))
