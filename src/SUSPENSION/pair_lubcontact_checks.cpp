@@ -115,7 +115,8 @@ std::string lubcontact_checks::idle(LAMMPS *lmp, PairLubcontact *pair, const std
 }
 
 /* ----------------------------------------------------------------------
-   fix adapt and a viscosity that is a variable may change what can act
+   friction of surfaces that never touch is an error, asperities without height leave what is meant:
+   a warning. Fix adapt and a viscosity that is a variable may change either
 ------------------------------------------------------------------------- */
 
 void lubcontact_checks::check_coefficients(LAMMPS *lmp, PairLubcontact *pair)
@@ -133,10 +134,10 @@ void lubcontact_checks::check_coefficients(LAMMPS *lmp, PairLubcontact *pair)
   const bool given = any_pair(lmp, pair, [&](int i, int j) {
     return asperity[i][j] != g[i][j];
   });
-  if (given && !any_positive(lmp, pair, "roughness"))
-    lmp->error->all(FLERR,
-                    "Pair style lubcontact asperity cannot act: it is the stiffness of asperities, "
-                    "but the roughness is 0; give pair_coeff a roughness > 0, or no asperity");
+  if (given && !any_positive(lmp, pair, "roughness") && lmp->comm->me == 0)
+    lmp->error->warning(FLERR,
+                        "Pair style lubcontact asperity does nothing: it is the stiffness of "
+                        "asperities, but the roughness is 0");
 }
 
 /* ----------------------------------------------------------------------

@@ -26,7 +26,7 @@ namespace lubcontact_checks {
   // why an effect that is switched on does nothing at present; empty: it acts
   std::string idle(LAMMPS *, PairLubcontact *, const std::string &effect);
 
-  // coefficients that never will: errors
+  // coefficients that never will: friction an error, asperities a warning
   void check_coefficients(LAMMPS *, PairLubcontact *);
 
   // other pair styles that act on the same pairs: a warning, or an error

@@ -55,8 +55,6 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"coeff": "1 1 1e4 5e3 friction coulomb 0.5\npair_coeff 2 2 1e4 5e3 friction clm step 0.1 1\npair_coeff 1 2 1e4 5e3"},
      "friction cannot act", None),
     ({"coeff": "1 1 1e4 5e3 friction coulomb 0.5\npair_coeff 2 2 1e4 5e3 friction coulomb 0.1"}, "friction cannot act", None),    # mixed
-    ({"coeff": COEFF + " asperity 2e4"}, "asperity cannot act: it is the stiffness of asperities, but the roughness is 0", None),
-    ({"style": STYLE + " squeeze no", "coeff": COEFF + " friction coulomb 0.5 asperity 2e4"}, "asperity cannot act", None),
     ({"style": "hybrid/scaled 0.5 lubcontact 1.0 cut 0.5 0.5 zero 2.0", "coeff": "* * lubcontact 1e4 5e3\npair_coeff * * zero"},
      "cannot be scaled: its stress by origin, its power and the limit of its time step are those of the full force; use: pair_style "
      "hybrid/overlay", None),
@@ -122,6 +120,9 @@ def run(variables, fails):
 for variables, message, word in CASES:
     deck.expect_error(str(variables), run(variables, fails=True), message, word)
 
+for more, warned in (" asperity 2e4", True), (" asperity 1e4", False), (" asperity 2e4 roughness 0.01", False):
+    text = run({"coeff": COEFF + more}, fails=False)
+    deck.expect(f"warning of{more}: {warned}", ("asperity does nothing: it is the stiffness of asperities, but the roughness is 0" in text) == warned)
 text = run({"coeff": "* * 1e12 1e12"}, fails=False)
 deck.expect("a time step over the limit warns", "stability limit of the contact springs" in text)
 text = run({"style": "lubcontact 1.0 default roll no"}, fails=False)

@@ -80,11 +80,9 @@ class Scene:
             self.coeffs.append(words)
             self.mu.append(mu if self.friction != "none" else 0.0)
             self.stiffest = max(self.stiffest, g, kt)
-        if all("roughness 0 " in words for words in self.coeffs):    # what cannot act is refused
-            self.coeffs = [re.sub(r" asperity \S+", "", words) for words in self.coeffs]
-            if self.squeeze:
-                self.coeffs = [re.sub(r" friction (none|coulomb \S+|clm \S+ \S+ \S+)", " friction none", words) for words in self.coeffs]
-                self.friction, self.mu = "none", [0.0, 0.0]
+        if self.squeeze and all("roughness 0 " in words for words in self.coeffs):    # friction that cannot act is refused
+            self.coeffs = [re.sub(r" friction (none|coulomb \S+|clm \S+ \S+ \S+)", " friction none", words) for words in self.coeffs]
+            self.friction, self.mu = "none", [0.0, 0.0]
 
     def words(self):
         return f"seed {self.seed}: N {len(self.x)} dim {self.dim} {self.style} | " + " | ".join(self.coeffs)
