@@ -48,7 +48,7 @@ inline constexpr Threshold THRESHOLD[NUM_LIMITS] = {
      "0.54), "
      "-31 +- 4 % at 0.5 (phi 0.50)"},
     {"phi/phi_m", 0.94,
-     "benchmarks/accuracy_cost: left out at phi 0.54, friction 0.5; not nearer to jamming"},
+     "benchmarks/accuracy_cost: left out at phi 0.54, friction 0.5, not nearer to jamming"},
     {"gain", 0.1, "Chevremont et al., Phys. Rev. Fluids 4, 064302 (2019), eq. 13"},
     {"P a^2/F", 0.03,
      "examples/shear_thickening: 0 to 1 % of the contacts rub up to 0.03, 1 to 12 % at 0.05"},
@@ -151,8 +151,8 @@ inline Verdict judge_squeeze(const Scene &s, const Numbers &n)
   static constexpr Effect E = SQUEEZE_FILM;
   if (!known(n.Iv) || !known(n.St)) return {E, CANNOT_TELL, "Iv unknown: give rate and pressure"};
   if (n.Iv > THRESHOLD[FILM_SHARE].value) return {E, NEEDED, compare(n.Iv, FILM_SHARE)};
-  if (!(s.friction >= LEAST_FRICTION) || all_slip(s, n))
-    return {E, NEEDED, "leaving it out was measured with friction 0.5 only"};
+  if (s.dimension != 3.0 || !(s.friction >= LEAST_FRICTION) || all_slip(s, n))
+    return {E, NEEDED, "leaving it out was measured for spheres with friction 0.5 only"};
   if (n.St > THRESHOLD[SQUEEZE_INERTIA].value) return {E, NEEDED, compare(n.St, SQUEEZE_INERTIA)};
   const double crowding =
       std::fmax(n.crowding, 1.0 / (1.0 + std::sqrt(n.Iv)));    // at rest, in flow

@@ -13,23 +13,19 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix.h"
 #include "force.h"
-#include "group.h"
 #include "missing_argument.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
-#include "scene_verdict.h"
+#include "scene_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 using scene::known;
-using scene::Numbers;
-using scene::show;
 using scene::UNKNOWN;
-using scene::Verdict;
 
 /* ---------------------------------------------------------------------- */
 
@@ -65,76 +61,85 @@ void SuspensionScene::command(int narg, char **arg)
   if (comm->me == 0) utils::logmesg(lmp, report());
 }
 
+// own: effect of the pair style that it may differ from, empty for what every pair style has
+struct SuspensionScene::Keyword {
+  const char *name;
+  double *value, unit;
+  bool zero;
+  const char *own;
+};
+
+std::vector<SuspensionScene::Keyword> SuspensionScene::keywords()
+{
+  const double stress = 1.0 / force->nktv2p;    // LAMMPS' pressure to force/area
+  return {{"viscosity", &scene->viscosity, 1.0, true, ""},
+          {"rate", &scene->rate, 1.0, false, nullptr},
+          {"pressure", &scene->pressure, stress, false, nullptr},
+          {"stiffness", &scene->g, 1.0, false, ""},
+          {"roughness", &scene->roughness, 1.0, true, ""},
+          {"friction", &scene->friction, 1.0, true, ""},
+          {"adhesion", &scene->adhesion, 1.0, true, "adhesion"},
+          {"repulsion", &scene->repulsion, 1.0, true, "repulsion"},
+          {"critical", &scene->critical, 1.0, true, "critical load"},
+          {"temperature", &scene->thermal, force->boltz, true, nullptr},
+          {"fluid_density", &scene->fluid_density, force->mvv2e, true, nullptr},
+          {"tolerance", &tolerance, 1.0, false, nullptr}};
+}
+
+double SuspensionScene::number(char **arg, int iarg, const char *name, bool zero) const
+{
+  const double value = utils::numeric(FLERR, arg[iarg], false, lmp);
+  if (!(value >= 0.0) || (value == 0.0 && !zero))
+    error->all(FLERR, iarg, "Suspension_scene {} must be {} 0, but is {}", name, zero ? ">=" : ">",
+               arg[iarg]);
+  return value;
+}
+
 /* ----------------------------------------------------------------------
    what the script says overrides what is found
 ------------------------------------------------------------------------- */
 
+void SuspensionScene::take(const Keyword &keyword, int iarg, char **arg)
+{
+  const double value = number(arg, iarg + 1, keyword.name, keyword.zero) * keyword.unit;
+  const bool has = pair && keyword.own && (*keyword.own == '\0' || pair->uses(keyword.own));
+  if (has && value != *keyword.value)
+    overridden += fmt::format(" {} {}", keyword.name, arg[iarg + 1]);
+  *keyword.value = value;
+  if (keyword.value == &scene->pressure) measured.used = false;
+  if (keyword.value == &scene->critical) {    // of all contacts
+    scene->critical_max = value;
+    scene->rubs_always = false;
+  }
+  if (keyword.value == &tolerance && value >= 1.0)
+    error->all(FLERR, iarg + 1,
+               "Suspension_scene tolerance is a relative error and must be < 1, but is {}",
+               arg[iarg + 1]);
+}
+
 void SuspensionScene::parse(int narg, char **arg)
 {
-  const double stress = 1.0 / force->nktv2p;    // LAMMPS' pressure to force/area
-  struct Keyword {
-    const char *name;
-    double *value, unit;
-    bool zero;
-  };
-  const Keyword keywords[] = {
-      {"viscosity", &scene->viscosity, 1.0, true},
-      {"rate", &scene->rate, 1.0, false},
-      {"pressure", &scene->pressure, stress, false},
-      {"stiffness", &scene->g, 1.0, false},
-      {"roughness", &scene->roughness, 1.0, true},
-      {"friction", &scene->friction, 1.0, true},
-      {"adhesion", &scene->adhesion, 1.0, true},
-      {"repulsion", &scene->repulsion, 1.0, true},
-      {"critical", &scene->critical, 1.0, true},
-      {"temperature", &scene->thermal, force->boltz, true},
-      {"fluid_density", &scene->fluid_density, force->mvv2e, true},
-      {"tolerance", &tolerance, 1.0, false},
-  };
-  auto number = [&](int iarg, const char *name, bool zero) {
-    const double value = utils::numeric(FLERR, arg[iarg], false, lmp);
-    if (!(value >= 0.0) || (value == 0.0 && !zero))
-      error->all(FLERR, iarg, "Suspension_scene {} must be {} 0, but is {}", name,
-                 zero ? ">=" : ">", arg[iarg]);
-    return value;
-  };
+  const std::vector<Keyword> all = keywords();
   for (int iarg = 0; iarg < narg; iarg += 2) {
     if (strcmp(arg[iarg], "brief") == 0) {
       brief = true;
       iarg--;
       continue;
     }
-    const Keyword *found = nullptr;
-    for (const Keyword &keyword : keywords)
-      if (strcmp(arg[iarg], keyword.name) == 0) found = &keyword;
-    if (!found) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Keyword &keyword) {
+      return strcmp(arg[iarg], keyword.name) == 0;
+    });
+    if (found == all.end()) {
       std::string names = "measure, brief";
-      for (const Keyword &keyword : keywords) names += std::string(", ") + keyword.name;
+      for (const Keyword &keyword : all) names += std::string(", ") + keyword.name;
       error->all(FLERR, iarg, "Unknown suspension_scene keyword: {}; those that exist: {}",
                  arg[iarg], names);
     }
     require_words(FLERR, error, "suspension_scene", narg - iarg, std::string(arg[iarg]) + " value");
-    const double value = number(iarg + 1, found->name, found->zero) * found->unit;
-    const auto place = found - keywords;
-    const bool has = place == 6 ? pair && pair->uses("adhesion")
-        : place == 7            ? pair && pair->uses("repulsion")
-        : place == 8            ? pair && pair->uses("critical load")
-                                : pair && (place == 0 || (place >= 3 && place <= 5));
-    if (has && value != *found->value)
-      overridden += fmt::format(" {} {}", found->name, arg[iarg + 1]);
-    if (found->value == &scene->pressure) measured.used = false;
-    if (found->value == &scene->critical) {    // of all contacts
-      scene->critical_max = value;
-      scene->rubs_always = false;
-    }
-    if (found->value == &tolerance && value >= 1.0)
-      error->all(FLERR, iarg + 1,
-                 "Suspension_scene tolerance is a relative error and must be < 1, but is {}",
-                 arg[iarg + 1]);
-    *found->value = value;
+    take(*found, iarg, arg);
     const bool length = strcmp(found->name, "repulsion") == 0 && iarg + 2 < narg;
     if (length && utils::is_double(arg[iarg + 2])) {
-      screening = number(iarg + 2, "length of the repulsion", false);
+      screening = number(arg, iarg + 2, "length of the repulsion", false);
       iarg++;
     }
   }

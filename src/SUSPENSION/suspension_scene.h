@@ -62,6 +62,10 @@ class SuspensionScene : public Command {
   double screening;          // length of the repulsion, if the script gives it
   double tolerance;          // of the viscosity, or NaN
   bool brief;                // verdicts and lines only
+  struct Keyword;
+  std::vector<Keyword> keywords();
+  double number(char **, int, const char *, bool) const;
+  void take(const Keyword &, int, char **);
   void parse(int, char **);
   void read_particles();
   void read_box();

@@ -142,6 +142,12 @@ TEST(SceneVerdict, SqueezeFilmIsLeftOutWhereThatWasMeasured)
   EXPECT_EQ(answer(s, SQUEEZE_FILM), NEEDED);
   s.friction = 0.1;
   EXPECT_EQ(answer(s, SQUEEZE_FILM), NEEDED);
+  s.friction = 0.5;
+  s.density = 0.049;
+  s.phi = 0.52;
+  EXPECT_EQ(answer(s, SQUEEZE_FILM), NOT_NEEDED);
+  s.dimension = 2.0;
+  EXPECT_EQ(answer(s, SQUEEZE_FILM), NEEDED);
   s = paste();
   s.phi = 0.52;
   s.density = 0.049;
@@ -332,6 +338,7 @@ TEST(SceneVerdict, ManualQuotesEveryThreshold)
   for (const Threshold &t : THRESHOLD) {
     const std::string row = std::string(t.number) + "; " + show(t.value) + "; " + t.source;
     EXPECT_NE(page.find(row), std::string::npos) << row;
+    EXPECT_EQ(std::string(t.source).find(';'), std::string::npos) << "separates columns: " << row;
   }
 }
 

@@ -45,6 +45,10 @@ text = log(more="fix shear all deform/rheometer rate 1 volume", coeffs="friction
 deck.expect("no settings for a pressure that may be two", "cannot tell: the pressure, on which the stiffness rests, is not known before" in text)
 text = log(more="fix shear all deform/rheometer rate 1 volume", coeffs="friction clm step 0.5 20", words="tolerance 0.2 pressure 30")
 deck.expect("  but for a given one", "Deck lines to use" in text)
+# a critical load that nothing reaches: the pressure is a quarter of that with friction, which is no reason to warn
+text = log(more="fix shear all deform/rheometer rate 1 volume", then="run 4000 post no", coeffs="friction clm step 0.5 1000", words="brief")
+deck.expect("steady without friction: no alarm", "warning: the measured pressure" not in text and "warning: the pressure" not in text)
+deck.expect("  friction and its critical load are left out", "left out, not needed by the table above: twist, friction, critical load" in text)
 
 LIMIT, RESET = "the stability limit of the contact springs", "fix step all dt/reset 5 {0} {1} 100"
 deck.expect("no warning below the limit", LIMIT not in log())
