@@ -26,23 +26,38 @@ constexpr unsigned canonical(unsigned mask)
 }
 
 // The loop is compiled for some combinations only. This is the one that has all effects of a mask; those
-// that it has besides do nothing: friction and critical load by their coefficients, films by ends of
-// infinity (without_films()).
+// that it has besides do nothing: films by ends of infinity (without_films()), a critical load by its
+// coefficients. What a deck often leaves out is exact, so that it costs nothing.
 constexpr unsigned covering(unsigned mask)
 {
-  const unsigned exact = mask & (SQUEEZE | ADHESION | REPULSION);
-  if (mask & (ROLL | TWIST)) return exact | SHEAR | FRICTION | ROLL | TWIST | THRESHOLD;
-  if (mask & SHEAR) return exact | SHEAR | FRICTION | THRESHOLD;
-  if (mask & FRICTION) return exact | FRICTION | THRESHOLD;
-  return exact;
+  const unsigned extensions = mask & (ADHESION | REPULSION);
+  const unsigned films = mask & (ROLL | TWIST) ? SHEAR | ROLL | TWIST : mask & SHEAR;
+  const unsigned threshold = extensions ? THRESHOLD : mask & THRESHOLD;
+  const unsigned friction = mask & FRICTION ? FRICTION | threshold : 0;
+  return (mask & SQUEEZE) | extensions | films | friction;
 }
 
-// All masks that cover some, with the extensions X of the normal mode.
-template <unsigned X>
-using Instances =
-    std::integer_sequence<unsigned, X, X | covering(FRICTION), X | covering(SHEAR),
-                          X | covering(ROLL), X | SQUEEZE, X | covering(SQUEEZE | FRICTION),
-                          X | covering(SQUEEZE | SHEAR), X | covering(SQUEEZE | ROLL)>;
+// All masks that cover some, with the extensions X of the normal mode; without any X the two sets of
+// friction are one.
+template <unsigned X, unsigned... MASK>
+constexpr auto with_extensions(std::integer_sequence<unsigned, MASK...>)
+{
+  return std::integer_sequence<unsigned, covering(X | MASK)...>();
+}
+
+template <unsigned X> constexpr auto instances()
+{
+  constexpr unsigned S = SQUEEZE, F = FRICTION, T = FRICTION | THRESHOLD;
+  constexpr unsigned film = SHEAR, films = SHEAR | ROLL | TWIST;
+  if constexpr (X == 0)
+    return std::integer_sequence<unsigned, 0, F, T, film, film | F, film | T, films, films | F,
+                                 films | T, S, S | F, S | T, S | film, S | film | F, S | film | T,
+                                 S | films, S | films | F, S | films | T>();
+  else
+    return with_extensions<X>(
+        std::integer_sequence<unsigned, 0, F, film, film | F, films, films | F, S, S | F, S | film,
+                              S | film | F, S | films, S | films | F>());
+}
 
 // History of a pair (i,j): doubles kept from step to step. Frame: laboratory.
 //   slot    size  meaning                               dimension  new pair        i <-> j

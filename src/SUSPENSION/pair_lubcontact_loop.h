@@ -354,7 +354,7 @@ void PairLubcontact::choose_among(std::integer_sequence<unsigned, MASK...>)
 
 template <unsigned EXTENSIONS> void PairLubcontact::choose_extended()
 {
-  choose_among(lubcontact::Instances<EXTENSIONS>());
+  choose_among(lubcontact::instances<EXTENSIONS>());
 }
 
 #endif

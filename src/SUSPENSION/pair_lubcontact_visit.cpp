@@ -38,16 +38,16 @@ static PresentLoad present_load(unsigned instance, std::integer_sequence<unsigne
 
 static PresentLoad present_load(unsigned instance)
 {
-  using lubcontact::ADHESION, lubcontact::REPULSION, lubcontact::Instances;
+  using lubcontact::ADHESION, lubcontact::REPULSION;
   switch (instance & (ADHESION | REPULSION)) {
     case 0:
-      return present_load(instance, Instances<0>());
+      return present_load(instance, lubcontact::instances<0>());
     case ADHESION:
-      return present_load(instance, Instances<ADHESION>());
+      return present_load(instance, lubcontact::instances<ADHESION>());
     case REPULSION:
-      return present_load(instance, Instances<REPULSION>());
+      return present_load(instance, lubcontact::instances<REPULSION>());
     default:
-      return present_load(instance, Instances<ADHESION | REPULSION>());
+      return present_load(instance, lubcontact::instances<ADHESION | REPULSION>());
   }
 }
 
