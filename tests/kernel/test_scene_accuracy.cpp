@@ -185,6 +185,9 @@ TEST(SceneAccuracy, PromiseIsTheSumOfItsParts)
   for (const double tolerance : TOLERANCES) {
     const Plan q = plan_of(tolerance);
     if (q.strain > SHORTEST) { EXPECT_NEAR(q.promised(), tolerance, 1e-12); }
-    EXPECT_EQ(q.change[NO_TWIST] != 0.0, !q.twist);
+    const double x[NUM_CAUSES] = {1.0 / q.steps, q.softness, q.St, 1.0 / q.particles,
+                                  q.twist ? 0.0 : 1.0};
+    for (int c = 0; c < NUM_CAUSES; c++)
+      EXPECT_DOUBLE_EQ(q.change[c], LAW[c].coefficient * std::pow(x[c], LAW[c].exponent));
   }
 }

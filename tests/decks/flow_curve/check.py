@@ -37,6 +37,6 @@ deck.expect("the figure is drawn", Path("curve.png").stat().st_size > 1e4)
 
 again = call(*words)
 deck.expect("nothing is repeated", again.returncode == 0 and again.stdout.count("in the table (tolerance)") == 2)
-refused = call("pressure_shear", "Iv", "0.5", "--set", "N=60", "phi=0.9")
+refused = call("pressure_shear", "Iv", "0.5", "--set", "N=60", "phi=0.4", "friction=-1")
 deck.expect("what LAMMPS says is shown", refused.returncode == 1 and "Iv 0.5: FAILED: LAMMPS stopped: ERROR" in refused.stdout)
 deck.finish()
