@@ -43,7 +43,7 @@ for what, wrote, reads in (
         ("dry grains from films", (WET, COEFF), (DRY, COEFF)),
         ("adhesion from none", (WET, COEFF), (WET, COEFF + " adhesion 0.002")),
         ("none from adhesion", (WET, COEFF + " adhesion 0.002"), (WET, COEFF)),
-        ("rolling from none", (WET + " roll no", COEFF), (WET, COEFF)))[deck.RANKS - 1::2]:
+        ("films that slide from the squeeze film alone", (WET + " shear no roll no twist no", COEFF), (WET, COEFF)))[deck.RANKS - 1::2]:
     deck.run("in.write", style=wrote[0], coeff=wrote[1])
     text = read(fails=True, style=reads[0], coeff=reads[1]).text
     deck.expect(f"{what}: refused", OTHER in text, next((s for s in text.splitlines() if s.startswith("ERROR")), "no error"))
