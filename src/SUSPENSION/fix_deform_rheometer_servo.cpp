@@ -71,7 +71,9 @@ void FixDeformRheometer::add_particle(int i, bool massless, double *sum) const
 
 void FixDeformRheometer::take_particles(const double *all)
 {
-  if (all[0] == 0.0) error->all(FLERR, "Fix {}: no particles with a radius in its group", style);
+  if (all[0] == 0.0)
+    error->all(FLERR, "Fix {}: {}no particles with a radius in its group at step {}", style,
+               particles[0] > 0.0 ? "Lost atoms: there are " : "", update->ntimestep);
   bool same = true;
   for (int n = 0; n < NUM_PARTICLES; n++)
     if (fabs(all[n] - particles[n]) > ROUNDING * all[n]) same = false;

@@ -74,6 +74,7 @@ u = brentq(lambda x: g * (x - un) - k * (eps - x) - F0 * np.exp(-x / length), 0,
 r, n = 2.5 + un, np.array([2, -1, 2]) / 3
 mass = 0.5 * 4 / 3 * np.pi * np.array([1, 1.5, 1]) ** 3
 velocity = np.array([[0.1, -0.2, 0.3], [-0.3, 0.1, 0.2], [0.2, 0.3, -0.1]])
+velocity -= mass @ velocity / np.sum(mass)    # without the common drift
 
 
 def nine(tensor):

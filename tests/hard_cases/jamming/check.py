@@ -51,7 +51,12 @@ def below_yield_between_plates():
     """The plate comes to rest and static friction carries the stress; above yield it goes on."""
     run(ROOT / "tests" / "decks" / "plates" / "state.lmp", ranks=1, phi=0.55)
     t = run("in.plates", motion="stress 2 load 100 damper 300 drag 10").thermo()
-    expect_close("plates, stress 2 under load 100: at rest", t["f_cell[1]"][t["Time"] > 2], t["f_cell[1]"][-1], atol=1e-3)
+    # what remains after a time of 2 is the film that relaxes, how far depends on the packing: 2e-4 to 2e-3 of three seeds.
+    # A suspension that flowed, at 100 times the viscosity of the fluid, would be sheared by 0.06
+    strain, late = t["f_cell[1]"], t["Time"] > 2
+    rate = np.abs(np.diff(strain) / np.diff(t["Time"]))
+    expect_close("plates, stress 2 under load 100: at rest", strain[late], strain[-1], atol=2.5e-3)
+    expect("plates: creep dies out", rate[-1] < 5e-4 and rate[-1] < 0.8 * rate[late[1:]][0], rate[-1])
     expect_close("plates: shear stress on both", [t["f_cell[9]"][-1], t["f_cell[10]"][-1]], 2.0, rtol=2e-3)
     expect_close("plates: pressure on both", [t["f_cell[7]"][-1], t["f_cell[8]"][-1]], 100.0, rtol=2e-3)
     t = run("in.plates", motion="stress 80 load 100 damper 300 drag 10", steps=3000).thermo()
