@@ -56,9 +56,11 @@ static constexpr double SHORT_EXP_SERIES[6] = {1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 /
 inline ExponentialMean exponential_mean(double z)
 {
   const bool series = std::fabs(z) < 0.3;    // to rounding; the mean to 2e-11
-  const double e = exponential(-z), lost = 1.0 - e;
+  const double e = exponential(-z);
   const double phi = polynomial(PHI_SERIES, -z), psi = polynomial(PSI_SERIES, -z);
-  const double inverse = 1.0 / (series ? phi : z * z * lost);    // one division for all
+  // a compiler may divide by both sides of a choice: neither is zero
+  const double lost = series ? 1.0 : 1.0 - e, wide = series ? 1.0 : z;
+  const double inverse = 1.0 / (series ? phi : wide * wide * lost);    // one division for all
   const double closed = z * lost * lost * inverse;
   return {series ? phi : closed, inverse * (series ? psi : 2.0 - e * (z * z + 2.0 * z + 2.0)),
           series ? 1.0 - z * phi : e};
