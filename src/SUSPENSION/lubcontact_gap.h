@@ -55,14 +55,15 @@ static constexpr double SHORT_EXP_SERIES[6] = {1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 /
 
 inline ExponentialMean exponential_mean(double z)
 {
-  const bool series = std::fabs(z) < 0.3;    // to rounding; the mean to 2e-11
-  const double e = exponential(-z);
+  static constexpr double NEAR = 0.3;    // the series to rounding; its mean to 2e-11
+  const bool series = std::fabs(z) < NEAR;
+  // compilers divide by both sides of a choice: the closed form is never taken where it is 0/0
+  const double far = std::copysign(larger(std::fabs(z), NEAR), z);
+  const double e = exponential(-far), lost = 1.0 - e;
   const double phi = polynomial(PHI_SERIES, -z), psi = polynomial(PSI_SERIES, -z);
-  // a compiler may divide by both sides of a choice: neither is zero
-  const double lost = series ? 1.0 : 1.0 - e, wide = series ? 1.0 : z;
-  const double inverse = 1.0 / (series ? phi : wide * wide * lost);    // one division for all
-  const double closed = z * lost * lost * inverse;
-  return {series ? phi : closed, inverse * (series ? psi : 2.0 - e * (z * z + 2.0 * z + 2.0)),
+  const double inverse = 1.0 / (series ? phi : far * far * lost);    // one division for all
+  const double closed = far * lost * lost * inverse;
+  return {series ? phi : closed, inverse * (series ? psi : 2.0 - e * (far * far + 2.0 * far + 2.0)),
           series ? 1.0 - z * phi : e};
 }
 
