@@ -110,7 +110,7 @@ void ListKeeper::take_over()
 
 void ListKeeper::release()
 {
-  if (keeps) neighbor->every = every;
+  if (keeps && neighbor) neighbor->every = every;    // a LAMMPS that ends in a run has none any more
   keeps = asked = false;
 }
 

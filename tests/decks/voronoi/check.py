@@ -121,7 +121,7 @@ for y, pairs in ((5.0, 4), (12.0, 3)):
 reach = {}
 for first in ("cut", "voronoi"):
     text = deck.run("in.after", first=first).text
-    reach[first] = [float(line.split()[-1]) for line in text.splitlines() if "ghost atom cutoff" in line]
+    reach[first] = [float(line.split()[1]) for line in text.splitlines() if line.startswith("Nghost:")]
 deck.expect("ghost atoms reach farther for range voronoi", reach["voronoi"][0] > reach["cut"][0], reach)
 deck.expect("and no farther for another range afterwards", reach["voronoi"][1] == reach["cut"][1], reach)
 deck.finish()
