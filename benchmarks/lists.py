@@ -21,9 +21,9 @@ FIELDS = ["particles", "ranks", "lists", "speed", "steps_per_list", "pair", "nei
 
 def measure(state, particles, ranks, lists):
     """One run: million particle-steps per CPU second, steps that a list lives, ns per particle-step by section."""
-    steps = 1000 if particles < 100000 else 400 if particles < 500000 else 200
+    steps = 1000 if particles < 10000 else 400 if particles < 100000 else 160 if particles < 500000 else 80
     text = run.lammps(ranks, "-in", "in.lists", "-var", "state", state, "-var", "copies", SIZES[particles],
-                      "-var", "lists", lists, "-var", "steps", steps)
+                      "-var", "lists", lists, "-var", "steps", steps, "-var", "warm", 20)
     measured = text.split("measured from here")[-1]
     sections = run.read_sections(measured, ranks)
     builds = int(re.search(r"Neighbor list builds = (\d+)", measured)[1])

@@ -23,10 +23,10 @@ FixStyle(NEIGH_HISTORY/LUBCONTACT,FixNeighHistoryLubcontact);
 
 namespace LAMMPS_NS {
 
-// LAMMPS' pair history, which finds a partner by its ID. Here each record knows the ID and the radius that its atom had
-// when it was made: it follows its atom when IDs are made anew, and is dropped when the atom was given another size.
-// With guards against stale lists, and against restart files of other effects. Internal: created by pair style
-// lubcontact.
+// LAMMPS' pair history, which finds a partner by its ID. Here each record knows the ID and the
+// radius that its atom had when it was made: it follows its atom when IDs are made anew, and is
+// dropped when the atom was given another size. With guards against stale lists, and against
+// restart files of other effects. Internal: created by pair style lubcontact.
 
 class FixNeighHistoryLubcontact : public FixNeighHistory {
  public:

@@ -22,10 +22,10 @@ FixStyle(NEIGH_HISTORY/LUBCONTACT/PLACE,FixNeighHistoryPlace);
 
 namespace LAMMPS_NS {
 
-// Keeps the place of the pair history among the fixes until the effects, and with them its size, are known. Until
-// then LAMMPS leaves what a restart file holds of an atom in row n of an array, whatever becomes of atom n: here it
-// stays with its atom when atoms are deleted, sorted or moved to other ranks. Internal: created by pair style
-// lubcontact.
+// Keeps the place of the pair history among the fixes until the effects, and with them its size,
+// are known. Until then LAMMPS leaves what a restart file holds of an atom in row n of an array,
+// whatever becomes of atom n: here it stays with its atom when atoms are deleted, sorted or moved
+// to other ranks. Internal: created by pair style lubcontact.
 
 class FixNeighHistoryPlace : public Fix {
  public:

@@ -22,8 +22,9 @@ struct Scatter;
 
 namespace LAMMPS_NS {
 
-// Decides for a fix that makes a flow when the neighbor lists are to be made anew: see rheometer_list.h. The fix has
-// force_reneighbor set and calls listed() in pre_neighbor, decide() in post_integrate and release() in post_run.
+// Decides for a fix that makes a flow when the neighbor lists are to be made anew: see
+// rheometer_list.h. The fix has force_reneighbor set and calls listed() in pre_neighbor, decide()
+// in post_integrate and release() in post_run.
 class ListKeeper : protected Pointers {
  public:
   ListKeeper(LAMMPS *, class Fix *);

@@ -3,6 +3,10 @@
 #include "lubcontact_effects.h"
 #include "tools.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 using namespace lubcontact;
 using namespace testing_tools;
 
@@ -42,56 +46,96 @@ TEST(Effects, ThresholdIsNothingWithoutFriction)
   }
 }
 
+// What the compiler knows of a mask, as numbers: the tests below are compiled once, not for each mask.
+struct Traits {
+  bool squeeze, shear, friction, roll, twist, threshold, adhesion, repulsion;
+  unsigned normal;
+  bool tangential, reads_gap, turns, gap_history, surface_history;
+  int gap, surface, shears, rolls, twists, bond, size;
+  void (*exchange)(const double *, double *);
+};
+
+template <unsigned MASK> static Traits traits_of()
+{
+  using E = Effects<MASK>;
+  return {E::squeeze,      E::shear,
+          E::friction,     E::roll,
+          E::twist,        E::threshold,
+          E::adhesion,     E::repulsion,
+          E::normal,       E::tangential,
+          E::reads_gap,    E::turns,
+          E::gap_history,  E::surface_history,
+          E::GAP_SLOT,     E::SURFACE_SLOT,
+          E::SHEAR_SLOT,   E::ROLL_SLOT,
+          E::TWIST_SLOT,   E::BOND_SLOT,
+          E::HISTORY_SIZE, &exchange_history<E>};
+}
+
+template <unsigned... MASK>
+static std::vector<Traits> all_traits(std::integer_sequence<unsigned, MASK...>)
+{
+  return {traits_of<MASK>()...};
+}
+
+static const std::vector<Traits> &traits()
+{
+  static const auto all = all_traits(std::make_integer_sequence<unsigned, NUM_COMBINATIONS>());
+  return all;
+}
+
 TEST(Effects, EachBitSwitchesItsOwnEffect)
 {
-  for_all_masks([](auto mask) {
-    using E = Effects<mask.value>;
-    EXPECT_EQ(E::squeeze, mask.value % 2 == 1);
-    EXPECT_EQ(E::shear, mask.value / 2 % 2 == 1);
-    EXPECT_EQ(E::friction, mask.value / 4 % 2 == 1);
-    EXPECT_EQ(E::roll, mask.value / 8 % 2 == 1);
-    EXPECT_EQ(E::twist, mask.value / 16 % 2 == 1);
-    EXPECT_EQ(E::threshold, mask.value / 32 % 2 == 1 && E::friction);
-    EXPECT_EQ(E::adhesion, mask.value / 64 % 2 == 1);
-    EXPECT_EQ(E::repulsion, mask.value / 128 == 1);
-    EXPECT_EQ(E::normal, mask.value / 64 * 64);
-    const std::string layout = layout_of(mask.value);
-    EXPECT_EQ(E::tangential, layout.find('s') != std::string::npos);
-    EXPECT_EQ(E::reads_gap, layout.find_first_of("srt") != std::string::npos);
-    EXPECT_EQ(E::turns, layout.find_first_of("sr") != std::string::npos);
-  });
+  for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
+    const Traits &e = traits()[mask];
+    SCOPED_TRACE(mask);
+    EXPECT_EQ(e.squeeze, mask % 2 == 1);
+    EXPECT_EQ(e.shear, mask / 2 % 2 == 1);
+    EXPECT_EQ(e.friction, mask / 4 % 2 == 1);
+    EXPECT_EQ(e.roll, mask / 8 % 2 == 1);
+    EXPECT_EQ(e.twist, mask / 16 % 2 == 1);
+    EXPECT_EQ(e.threshold, mask / 32 % 2 == 1 && e.friction);
+    EXPECT_EQ(e.adhesion, mask / 64 % 2 == 1);
+    EXPECT_EQ(e.repulsion, mask / 128 == 1);
+    EXPECT_EQ(e.normal, mask / 64 * 64);
+    const std::string layout = layout_of(mask);
+    EXPECT_EQ(e.tangential, layout.find('s') != std::string::npos);
+    EXPECT_EQ(e.reads_gap, layout.find_first_of("srt") != std::string::npos);
+    EXPECT_EQ(e.turns, layout.find_first_of("sr") != std::string::npos);
+  }
 }
 
 TEST(Effects, HistoryHasTheSlotsOfTheTableWithoutGaps)
 {
-  for_all_masks([](auto mask) {
-    using E = Effects<mask.value>;
-    std::string layout(static_cast<std::size_t>(E::HISTORY_SIZE), '-');
+  for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
+    const Traits &e = traits()[mask];
+    SCOPED_TRACE(mask);
+    std::string layout(static_cast<std::size_t>(e.size), '-');
     auto mark = [&layout](bool on, int slot, std::size_t size, char letter) {
       if (!on) return;
       ASSERT_LE(static_cast<std::size_t>(slot) + size, layout.size());
       layout.replace(static_cast<std::size_t>(slot), size, size, letter);
     };
-    mark(E::gap_history, E::GAP_SLOT, 2, 'g');
-    mark(E::surface_history, E::SURFACE_SLOT, 1, 'u');
-    mark(E::tangential, E::SHEAR_SLOT, 3, 's');
-    mark(E::roll, E::ROLL_SLOT, 3, 'r');
-    mark(E::twist, E::TWIST_SLOT, 1, 't');
-    mark(E::adhesion, E::BOND_SLOT, 1, 'b');
-    EXPECT_EQ(layout, layout_of(mask.value));
-  });
+    mark(e.gap_history, e.gap, 2, 'g');
+    mark(e.surface_history, e.surface, 1, 'u');
+    mark(e.tangential, e.shears, 3, 's');
+    mark(e.roll, e.rolls, 3, 'r');
+    mark(e.twist, e.twists, 1, 't');
+    mark(e.adhesion, e.bond, 1, 'b');
+    EXPECT_EQ(layout, layout_of(mask));
+  }
 }
 
 TEST(ExchangeHistory, ScalarsAreEvenAndVectorsAreOdd)
 {
-  for_all_masks([](auto mask) {
-    const std::string layout = layout_of(mask.value);
+  for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
+    const std::string layout = layout_of(mask);
+    SCOPED_TRACE(mask);
     double source[12], target[12];
     for (int m = 0; m < 12; m++) {
       source[m] = m + 1.0;
       target[m] = -77.0;
     }
-    exchange_history<Effects<mask.value>>(source, target);
+    traits()[mask].exchange(source, target);
     for (std::size_t m = 0; m < 12; m++) {
       if (m >= layout.size())
         EXPECT_EQ(target[m], -77.0) << "wrote beyond the history, slot " << m;
@@ -100,16 +144,17 @@ TEST(ExchangeHistory, ScalarsAreEvenAndVectorsAreOdd)
       else
         EXPECT_EQ(target[m], source[m]) << "slot " << m;
     }
-  });
+  }
 }
 
 TEST(ExchangeHistory, TwiceIsTheIdentityAlsoInPlace)
 {
-  for_all_masks([](auto mask) {
+  for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
+    SCOPED_TRACE(mask);
     double history[11];
     for (int m = 0; m < 11; m++) history[m] = 0.5 - m;
-    exchange_history<Effects<mask.value>>(history, history);
-    exchange_history<Effects<mask.value>>(history, history);
+    traits()[mask].exchange(history, history);
+    traits()[mask].exchange(history, history);
     for (int m = 0; m < 11; m++) EXPECT_EQ(history[m], 0.5 - m);
-  });
+  }
 }

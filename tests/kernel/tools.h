@@ -94,12 +94,6 @@ template <class F> void for_each_mask(F &&f)
   call_each(f, std::make_integer_sequence<unsigned, 32>{});
 }
 
-// The basic masks, and those of all the extensions.
-template <class F> void for_all_masks(F &&f)
-{
-  call_each(f, std::make_integer_sequence<unsigned, lubcontact::NUM_COMBINATIONS>{});
-}
-
 // Bits beyond the 32 basic ones, for the masks whose laws are compiled and tested in full: each
 // extension by itself and all of them, on the bare contact, squeeze, friction, and everything.
 using ExtendedMasks =

@@ -1,0 +1,218 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// What fix rheometer/plates measures: gap, particles, and whether the targets are reached.
+
+#include "fix_rheometer_plates.h"
+
+#include "atom.h"
+#include "background_fluid.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "group.h"
+#include "rheometer_plate.h"
+#include "rheometer_servo.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using rheometer::LOWER;
+using rheometer::UPPER;
+
+/* ----------------------------------------------------------------------
+   Sums over particles are measured at the start of a run, and kept if they are as before: another
+   order of the particles would round them differently, and a continued run would not be the same.
+------------------------------------------------------------------------- */
+
+static void measured(double &kept, double now, double scale)
+{
+  if (fabs(now - kept) > 1e-8 * scale) kept = now;
+}
+
+/* ----------------------------------------------------------------------
+   the gap is between the mean surfaces of the plates, and follows their motion during a run
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::measure_surfaces(double &bottom, double &top) const
+{
+  double mine[4] = {0.0, 0.0, 0.0, 0.0}, all[4];    // height and number, lower and upper
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int plate : {LOWER, UPPER}) {
+      if (!(atom->mask[i] & bit[plate])) continue;
+      const double inwards = plate == LOWER ? atom->radius[i] : -atom->radius[i];
+      mine[2 * plate] += atom->x[i][1] + inwards;
+      mine[2 * plate + 1] += 1.0;
+    }
+  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  bottom = all[0] / all[1];
+  top = all[2] / all[3];
+}
+
+void FixRheometerPlates::measure_gap()
+{
+  double bottom, top;
+  measure_surfaces(bottom, top);
+  if (!(top > bottom))
+    error->all(FLERR,
+               "Fix rheometer/plates: the mean surface of the upper plate, y = {:.6g}, must be "
+               "above that of the lower plate, y = {:.6g}; exchange the groups, or move the plates",
+               top, bottom);
+  measured(state.gap, top - bottom, fabs(top) + fabs(bottom));
+}
+
+/* ----------------------------------------------------------------------
+   what is between the plates, and the mass of the upper plate
+------------------------------------------------------------------------- */
+
+enum { VOLUME, MASS, DIAMETER, NUMBER, PLATE, NUM };
+
+struct FixRheometerPlates::Sums {
+  double force[2][3] = {};
+  double particles[NUM] = {};
+};
+
+void FixRheometerPlates::add_particle(int i, bool massless, double *sum) const
+{
+  const double r = atom->radius[i];
+  if (atom->mask[i] & bit[UPPER]) sum[PLATE] += atom->rmass[i];
+  if (!(atom->mask[i] & groupbit)) return;
+  if (atom->mask[i] & plate_bits())
+    error->one(FLERR,
+               "Fix rheometer/plates: particle {} of the plates has joined group {} of the "
+               "suspended particles: a dynamic group must not take them",
+               atom->tag[i], group->names[igroup]);
+  sum[VOLUME] += M_PI * r * r * (domain->dimension == 2 ? 1.0 : 4.0 / 3.0 * r);
+  if (!massless) sum[MASS] += atom->rmass[i];
+  sum[DIAMETER] += 2.0 * r;
+  sum[NUMBER] += 1.0;
+}
+
+void FixRheometerPlates::take_particles(const double *all)
+{
+  if (load == PRESSURE && all[NUMBER] == 0.0)
+    error->all(FLERR,
+               "Fix rheometer/plates cannot hold a pressure: group {} of the suspended particles "
+               "is empty",
+               group->names[igroup]);
+  const double number = MAX(all[NUMBER], 1.0), volume = all[NUMBER] > 0.0 ? all[VOLUME] : 1.0;
+  measured(state.solid, all[VOLUME], all[VOLUME]);
+  measured(state.density, all[MASS] / volume, all[MASS] / volume);
+  measured(state.diameter, all[DIAMETER] / number, all[DIAMETER] / number);
+  measured(state.plate_mass, all[PLATE], all[PLATE]);
+}
+
+void FixRheometerPlates::measure_particles()
+{
+  double mine[NUM] = {}, all[NUM];
+  const int massless = overdamped_groups(lmp);
+  for (int i = 0; i < atom->nlocal; i++) add_particle(i, atom->mask[i] & massless, mine);
+  MPI_Allreduce(mine, all, NUM, MPI_DOUBLE, MPI_SUM, world);
+  take_particles(all);
+}
+
+/* ----------------------------------------------------------------------
+   forces of the suspension on the plates, those between plate and plate included; and the particles
+   once more, which come, go and grow
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::post_force(int /*vflag*/)
+{
+  Sums mine, all;
+  const int massless = overdamped_groups(lmp);
+  for (int i = 0; i < atom->nlocal; i++) {
+    add_particle(i, atom->mask[i] & massless, mine.particles);
+    for (int plate : {LOWER, UPPER})
+      if (atom->mask[i] & bit[plate])
+        for (int d = 0; d < 3; d++) mine.force[plate][d] += atom->f[i][d];
+  }
+  MPI_Allreduce(mine.force[0], all.force[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM,
+                world);
+  std::copy_n(all.force[0], 6, force_on[0]);
+  take_particles(all.particles);
+}
+
+/* ----------------------------------------------------------------------
+   are the targets reached? warns once
+------------------------------------------------------------------------- */
+
+void FixRheometerPlates::watch_targets(double dt)
+{
+  const rheometer::Material m = material();
+  const rheometer::WallStress wall = stress_on(UPPER);
+  // returns the state of the target; w: rate at which its control answers
+  auto watch = [&](double measured, double target, double w, double &deviation, double &age,
+                   double &warned, const char *what, const char *cause) {
+    if (target == 0.0 || !std::isfinite(w) || w == 0.0) return rheometer::FOLLOWING;
+    const rheometer::Watch now =
+        rheometer::watch({deviation, age}, (measured - target) / target, w, dt);
+    deviation = now.deviation;
+    age = now.age;
+    if (!rheometer::unreachable(now)) return rheometer::FOLLOWING;
+    if (warned == 0.0 && comm->me == 0)
+      error->warning(FLERR,
+                     "Fix rheometer/plates does not reach the {} {:.6g}: it is {:.3g} on average; "
+                     "{}",
+                     what, target * force->nktv2p, (1.0 + deviation) * target * force->nktv2p,
+                     cause);
+    warned = 1.0;
+    return rheometer::UNREACHABLE;
+  };
+
+  state.code_x = state.code_y = rheometer::IDLE;
+  if (drive == STRESS) {
+    const double s = target_x.value / force->nktv2p;
+    state.code_x = watch(
+        wall.xy, s, rheometer::servo_rate(m, state.rate, s, rheometer::STRESS_FLOOR),
+        state.deviation_x, state.age_x, state.warned_x, "shear stress",
+        "the suspension cannot resist it, or the plate is so heavy that it still accelerates");
+  }
+  if (load == GAP) return;
+  const double p = target_y.value / force->nktv2p;
+  const double w = rheometer::servo_rate(m, state.rate, p, rheometer::PRESSURE_FLOOR);
+  state.code_y =
+      watch(wall.pressure, p, w, state.deviation_y, state.age_y, state.warned_y, "pressure",
+            "the suspension is jammed, too dilute to push, or the plate too slow");
+  if (load == PRESSURE && state.code_y == rheometer::FOLLOWING &&
+      fabs(state.dilation) >= rheometer::dilation_limit(m, p, state.rate, gain))
+    state.code_y = rheometer::LIMITED;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixRheometerPlates::compute_vector(int n)
+{
+  const double unit = force->nktv2p;
+  const double phi = state.gap > 0.0 ? state.solid / (area() * state.gap) : 0.0;
+  const rheometer::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
+  const double values[] = {state.strain,
+                           state.rate,
+                           state.gap,
+                           state.vx,
+                           state.vy,
+                           phi,
+                           low.pressure * unit,
+                           up.pressure * unit,
+                           low.xy * unit,
+                           up.xy * unit,
+                           low.zy * unit,
+                           up.zy * unit,
+                           target_x.value,
+                           load == GAP ? 0.0 : target_y.value,
+                           state.code_x,
+                           state.code_y};
+  const int now = sizeof(values) / sizeof(double);
+  if (n < now) return values[n];
+  const double mean = rheometer::mean_output(
+      state.means, n - now, 0.5 * (low.pressure + up.pressure), 0.5 * (low.xy + up.xy));
+  return n - now == rheometer::MEAN_OUTPUTS - 1 ? mean : mean * unit;
+}
