@@ -58,12 +58,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="up to 32000 particles only")
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--particles", type=int, nargs="+", choices=list(SIZES), default=list(SIZES), help="these sizes only")
     parser.add_argument("--repetitions", type=int, default=2, help="of every case, of which the best counts (2)")
     args = parser.parse_args()
 
     build = run.build_folder()
     rows = []
-    for particles in SIZES:
+    for particles in args.particles:
         if args.quick and particles > 32000:
             continue
         state = run.make_state(build, 1000 if particles == 1000 else 4000)
