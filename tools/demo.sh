@@ -8,7 +8,7 @@ cores=$(nproc)
 ranks=${1:-$((cores < 4 ? cores : 4))}
 example=$top/examples/shear_rate
 
-say "1/2: packages, LAMMPS and plugin, five or six minutes on two cores the first time, seconds later"
+say "1/2: packages, LAMMPS and plugin, about four minutes on two cores the first time, seconds later"
 "$top/tools/setup.sh"
 say "2/2: 1000 spheres sheared on $ranks ranks, a minute or two (column CPULeft: seconds left)"
 "$example/run.sh" "$ranks"
