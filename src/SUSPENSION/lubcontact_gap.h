@@ -17,6 +17,7 @@
 
 #include "lubcontact_effects.h"
 #include "lubcontact_polynomial.h"
+#include "lubcontact_vec3.h"
 
 #include <algorithm>
 #include <cmath>
