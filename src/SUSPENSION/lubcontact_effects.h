@@ -108,6 +108,36 @@ template <unsigned MASK> struct Effects {
       (tangential ? 4 : 0) + (roll ? 8 : 0) + (twist ? 16 : 0) + (adhesion ? 32 : 0);
 };
 
+// The one way from a mask at run time to compiled effects: calls f(Effects<instance>()) if the instance is
+// one of those listed.
+template <class F, unsigned... MASK>
+void with_one_of(std::integer_sequence<unsigned, MASK...>, unsigned instance, F &&f)
+{
+  ((MASK == instance ? f(Effects<MASK>()) : void()), ...);
+}
+
+// Among those with the extensions X of the normal mode: so that several files may share the work of
+// compiling them.
+template <unsigned X, class F> void with_extended_effects(unsigned instance, F &&f)
+{
+  with_one_of(instances<X>(), instance, f);
+}
+
+// Among all that covering() may give.
+template <class F> void with_effects(unsigned instance, F &&f)
+{
+  switch (instance & (ADHESION | REPULSION)) {
+    case 0:
+      return with_extended_effects<0>(instance, f);
+    case ADHESION:
+      return with_extended_effects<ADHESION>(instance, f);
+    case REPULSION:
+      return with_extended_effects<REPULSION>(instance, f);
+    default:
+      return with_extended_effects<ADHESION | REPULSION>(instance, f);
+  }
+}
+
 // History of (j,i) from that of (i,j).
 template <class E> inline void exchange_history(const double *source, double *target)
 {

@@ -7,10 +7,11 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop for pairs with repulsion.
+// The loop for pairs with adhesion and repulsion.
 
-#include "pair_lubcontact_loop.h"
+#include "lubcontact_loop_instances.h"
 
 using namespace LAMMPS_NS;
 
-template void PairLubcontact::choose_extended<Lubcontact_NS::REPULSION>();
+template void
+LAMMPS_NS::find_extended<Lubcontact_NS::ADHESION | Lubcontact_NS::REPULSION>(LubcontactInstance &);

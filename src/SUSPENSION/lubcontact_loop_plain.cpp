@@ -9,8 +9,8 @@
 
 // The loop for pairs with neither adhesion nor repulsion.
 
-#include "pair_lubcontact_loop.h"
+#include "lubcontact_loop_instances.h"
 
 using namespace LAMMPS_NS;
 
-template void PairLubcontact::choose_extended<0>();
+template void LAMMPS_NS::find_extended<0>(LubcontactInstance &);

@@ -7,10 +7,10 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop for pairs with adhesion.
+// The loop for pairs with repulsion.
 
-#include "pair_lubcontact_loop.h"
+#include "lubcontact_loop_instances.h"
 
 using namespace LAMMPS_NS;
 
-template void PairLubcontact::choose_extended<Lubcontact_NS::ADHESION>();
+template void LAMMPS_NS::find_extended<Lubcontact_NS::REPULSION>(LubcontactInstance &);

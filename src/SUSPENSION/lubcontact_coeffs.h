@@ -1,0 +1,122 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// Coefficients of a pair of types as a user gives them: one row of the table COLUMNS per coefficient.
+// What reads, mixes, checks, stores or prints them is a loop over the table.
+
+#ifndef LUBCONTACT_COEFFS_H
+#define LUBCONTACT_COEFFS_H
+
+#include "lubcontact_friction.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace LAMMPS_NS::Lubcontact_NS {
+
+struct TypeCoeffs {
+  double g = 0.0;            // stiffness of the bulk, force/length; 0: pair of another style
+  double kt = 0.0;           // tangential stiffness, force/length
+  double asperity = 0.0;     // stiffness of the asperities, force/length
+  double roughness = 0.0;    // height of the asperities over the effective radius
+  double friction = 0.0;     // coefficient of friction
+  double critical = 0.0;     // critical load of the law of friction, force
+  double adhesion = 0.0;     // stretch that asperities hold, over the effective radius
+  double repulsion = 0.0;    // force at closed gap
+  double screening = 0.0;    // its length, length; 0: no repulsion
+  FrictionLaw law = FrictionLaw::NONE;
+};
+
+// of two unlike types, from their like pairs
+enum class Mixing {
+  SERIES,    // springs in series
+  MEAN,
+  GEOMETRIC,
+  WITH_LAST    // mean, but 0 where the column before is 0
+};
+
+struct Column {
+  double TypeCoeffs::*value;
+  const char *name;    // for fix adapt, and in pair_coeff
+  const char *what;    // in messages
+  bool zero;           // may be 0
+  Mixing mixing;
+};
+
+inline constexpr Column COLUMNS[] = {
+    {&TypeCoeffs::g, "g", "stiffness g", false, Mixing::SERIES},
+    {&TypeCoeffs::kt, "kt", "stiffness kt", false, Mixing::SERIES},
+    {&TypeCoeffs::asperity, "asperity", "asperity stiffness", false, Mixing::SERIES},
+    {&TypeCoeffs::roughness, "roughness", "roughness", true, Mixing::MEAN},
+    {&TypeCoeffs::friction, "friction", "coefficient of friction", true, Mixing::GEOMETRIC},
+    {&TypeCoeffs::critical, "critical", "critical load", true, Mixing::GEOMETRIC},
+    {&TypeCoeffs::adhesion, "adhesion", "adhesion", true, Mixing::GEOMETRIC},
+    {&TypeCoeffs::repulsion, "repulsion", "repulsion", true, Mixing::GEOMETRIC},
+    {&TypeCoeffs::screening, "screening", "screening length", true, Mixing::WITH_LAST}};
+inline constexpr std::size_t NUM_COLUMNS = sizeof(COLUMNS) / sizeof(Column);
+
+constexpr std::size_t column_of(double TypeCoeffs::*value)
+{
+  for (std::size_t m = 0; m < NUM_COLUMNS; m++)
+    if (COLUMNS[m].value == value) return m;
+  return NUM_COLUMNS;
+}
+
+// A value that a user may give.
+inline bool is_allowed(const Column &column, double value)
+{
+  return std::isfinite(value) && (value > 0.0 || (column.zero && value == 0.0));
+}
+
+inline double mixed(Mixing rule, double one, double other)
+{
+  if (rule == Mixing::SERIES) return 2.0 * one * other / (one + other);
+  if (rule == Mixing::GEOMETRIC) return std::sqrt(one * other);
+  return 0.5 * (one + other);
+}
+
+// Of two types, from their like pairs. Surfaces without friction have none with others; two other laws
+// must be the same: check laws_agree() before.
+inline bool laws_agree(const TypeCoeffs &one, const TypeCoeffs &other)
+{
+  return one.law == other.law || one.law == FrictionLaw::NONE || other.law == FrictionLaw::NONE;
+}
+
+inline TypeCoeffs mixed(const TypeCoeffs &one, const TypeCoeffs &other)
+{
+  TypeCoeffs both;
+  double last = 0.0;
+  for (const Column &column : COLUMNS) {
+    const bool none = column.mixing == Mixing::WITH_LAST && last == 0.0;
+    last = none ? 0.0 : mixed(column.mixing, one.*column.value, other.*column.value);
+    both.*column.value = last;
+  }
+  both.law = one.law == FrictionLaw::NONE ? FrictionLaw::NONE : other.law;
+  return both;
+}
+
+// What is wrong with coefficients that a user or fix adapt has set, and the cure; empty: nothing.
+inline std::string complaint(const TypeCoeffs &c)
+{
+  if (c.adhesion > 0.0 && c.roughness == 0.0)
+    return "adhesion is of asperities, but their roughness is 0: give them one > 0";
+  if (c.law == FrictionLaw::NONE && c.friction > 0.0)
+    return "there is no friction that could be changed: give pair_coeff friction coulomb 0 first";
+  if (c.law <= FrictionLaw::COULOMB && c.critical > 0.0)
+    return "there is no critical load that could be changed: give pair_coeff friction clm first";
+  if (c.screening == 0.0 && c.repulsion > 0.0)
+    return "there is no repulsion that could be changed: give pair_coeff repulsion 0 with a "
+           "screening length first";
+  return "";
+}
+
+}    // namespace LAMMPS_NS::Lubcontact_NS
+
+#endif
