@@ -14,7 +14,6 @@
 #include "atom.h"
 #include "lubcontact_friction.h"
 #include "lubcontact_pair.h"
-#include "scene_history.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,17 +91,6 @@ void PairLubcontact::switch_on(const Laws &laws, double a)
         screening[i][j] = laws.screening;
       }
     }
-}
-
-/* ----------------------------------------------------------------------
-   history of a pair at distance r, from one with the effects `from`
-------------------------------------------------------------------------- */
-
-void PairLubcontact::adopt_history(unsigned from, const double *old, int itype, int jtype,
-                                   double ri, double rj, double r, double *next) const
-{
-  Scene_NS::adopt_history(from, instance, coeffs[itype][jtype].normal, effective_radius(ri, rj),
-                          r - ri - rj, old, next);
 }
 
 /* ----------------------------------------------------------------------
