@@ -1,7 +1,7 @@
 """What the runs of suspension.py say: laws of the errors, tables of the manual, and the figure.
 
 usage: tools/python.sh suspension_laws.py table | draw
-The laws are the constants of src/SUSPENSION/scene_accuracy.h.
+The laws are the constants of src/SUSPENSION-ADVISER/scene_accuracy.h.
 """
 import csv
 import math
