@@ -88,7 +88,7 @@ const BackgroundFluid *SceneInstance::background_of(const Fix *fix)
    with a fix that can be copied; false: it cannot
 ------------------------------------------------------------------------- */
 
-static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
+static bool copy_part(LAMMPS *lmp, Fix *fix, SceneInstance::Parts &parts)
 {
   std::string settings;
   auto *sphere = utils::strmatch(fix->style, "^nve/sphere") ? dynamic_cast<FixNVESphere *>(fix)
@@ -98,48 +98,48 @@ static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
   const BackgroundFluid *fluid = SceneInstance::background_of(fix);
   if (fluid) {
     settings = fluid->settings_text();
-    plan.drags.push_back(fix);
-    if (utils::strmatch(fix->style, "^overdamped")) plan.overdamped = true;
+    parts.drags.push_back(fix);
+    if (utils::strmatch(fix->style, "^overdamped")) parts.overdamped = true;
   } else if (sphere) {
     if (Inertia::of_disc(sphere)) settings = "disc";
   } else if (rheometer) {
     settings = rheometer->settings_text();
-    plan.flow = fix;
+    parts.flow = fix;
     const auto imposed = rheometer->imposed();
     if (!imposed.steady_shear)
       lmp->error->all(FLERR,
                       "Suspension_scene measure compares the viscosity of steady shear, but fix {} "
                       "has: {}; {}",
                       fix->id, settings, SceneInstance::CURE);
-    plan.holds_rate = imposed.holds_rate;
-    plan.holds_pressure = imposed.holds_pressure;
+    parts.holds_rate = imposed.holds_rate;
+    parts.holds_pressure = imposed.holds_pressure;
   } else if (utils::strmatch(fix->style, "^deform$") && Deformation::only_tilts(deform)) {
-    plan.flow = fix;
-    plan.rate = SceneInstance::deform_rate(lmp);
-    if (plan.rate == 0.0)
+    parts.flow = fix;
+    parts.rate = SceneInstance::deform_rate(lmp);
+    if (parts.rate == 0.0)
       lmp->error->all(FLERR,
                       "Suspension_scene measure does not know the rate of fix {} before the first "
                       "run: add run 0",
                       fix->id);
-    settings = fmt::format("{} xy erate {} remap v", fix->nevery, plan.rate);
+    settings = fmt::format("{} xy erate {} remap v", fix->nevery, parts.rate);
   } else if (!utils::strmatch(fix->style, "^enforce2d$")) {
     return false;
   }
-  plan.fixes.push_back({fix, settings});
+  parts.fixes.push_back({fix, settings});
   return true;
 }
 
 /* ---------------------------------------------------------------------- */
 
-SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
+SceneInstance::Parts SceneInstance::parts_of(LAMMPS *lmp)
 {
   Error *error = lmp->error;
   if (!lmp->domain->box_exist || lmp->atom->natoms == 0)
     error->all(FLERR, "Suspension_scene needs particles: use it after they are created");
 
-  Plan plan;
-  plan.pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
-  if (!plan.pair)
+  Parts parts;
+  parts.pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
+  if (!parts.pair)
     error->all(FLERR,
                "Suspension_scene measure needs pair_style lubcontact alone, but the pair style is "
                "{}; {}",
@@ -149,7 +149,7 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
   const auto &fixes = lmp->modify->get_fix_list();
   for (std::size_t n = 0; n < fixes.size(); n++) {
     Fix *fix = fixes[n];
-    const bool copied = copy_plan(lmp, fix, plan);
+    const bool copied = copy_part(lmp, fix, parts);
     if (copied && lmp->group->dynamic[fix->igroup])
       error->all(FLERR, "Suspension_scene measure cannot copy the dynamic group {} of fix {}; {}",
                  lmp->group->names[fix->igroup], fix->id, CURE);
@@ -164,18 +164,20 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
                  "but cannot copy fix {} of style {}: unfix it if it does not matter; {}",
                  fix->id, fix->style, CURE);
   }
-  if (!plan.flow)
+  if (!parts.flow)
     error->all(FLERR,
                "Suspension_scene measure needs a flow: fix deform/rheometer, or fix deform of xy "
                "with remap v; {}",
                CURE);
-  return plan;
+  return parts;
 }
 
 /* ---------------------------------------------------------------------- */
 
-SceneInstance::SceneInstance(LAMMPS *from, const Plan &plan, const Effects &effects) :
-    lmp(nullptr), history_kept(true), original(from)
+SceneInstance::SceneInstance(LAMMPS *from, const Parts &parts, const Lubcontact_NS::Law &law,
+                             bool drag) :
+    lmp(nullptr),
+    history_kept(true), original(from)
 {
   const char *words[] = {"lmp", "-log", "none", "-screen", "none", "-nocite"};
   lmp = new LAMMPS(6, const_cast<char **>(words), from->world);
@@ -188,10 +190,10 @@ SceneInstance::SceneInstance(LAMMPS *from, const Plan &plan, const Effects &effe
     set_up();
     copy_box();
     copy_atoms();
-    copy_pair(plan, effects);
-    copy_fixes(plan, effects);
+    adopt_law(law);
+    copy_fixes(parts, drag);
     lmp->init();
-    copy_history(plan.pair);
+    copy_history(parts.pair, law);
     migrate();
   } catch (...) {
     KeepPlugins keep(original);
