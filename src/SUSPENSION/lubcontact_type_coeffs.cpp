@@ -113,13 +113,17 @@ constexpr Keyword KEYWORDS[] = {{"roughness", "eps", &TypeCoeffs::roughness, 1},
 
 class CoeffParser : protected Pointers {
  public:
-  CoeffParser(LAMMPS *lmp, int narg, char **arg) : Pointers(lmp), narg(narg), arg(arg) {}
+  CoeffParser(LAMMPS *lmp, int narg, char **arg, const std::string &origin) :
+      Pointers(lmp), narg(narg), arg(arg), origin(origin)
+  {
+  }
 
   TypeCoeffs parse(double reach) const;
 
  private:
   int narg;
   char **arg;
+  const std::string origin;    // of words that are not in the input line; appended to messages
 
   double number(int iarg, const Column &, bool zero) const;
   int parse_friction(int iarg, TypeCoeffs &) const;
@@ -158,8 +162,8 @@ int CoeffParser::parse_friction(int iarg, TypeCoeffs &c) const
     error->all(
         FLERR, place_of(input, arg[word]),
         "Pair style lubcontact friction must be none, coulomb mu, or clm step, clm shift or clm "
-        "ramp with mu and the critical load, but is {}",
-        name);
+        "ramp with mu and the critical load, but is {}{}",
+        name, origin);
   c.law = static_cast<FrictionLaw>(law);
   c.friction = c.critical = 0.0;
   const bool has_mu = c.law != FrictionLaw::NONE, has_load = c.law > FrictionLaw::COULOMB;
@@ -202,28 +206,30 @@ TypeCoeffs CoeffParser::parse(double reach) const
     for (const Keyword &keyword : KEYWORDS)
       if (key == keyword.name) found = &keyword;
     if (!found)
-      error->all(FLERR, place_of(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}",
-                 key);
+      error->all(FLERR, place_of(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}{}",
+                 key, origin);
     const int words = parse_keyword(iarg, *found, c);
     if (found->first == &TypeCoeffs::roughness && c.roughness >= reach)
       error->all(FLERR, place_of(input, arg[iarg + 1]),
-                 "Pair style lubcontact roughness must be below the range {}, but is {}", reach,
-                 c.roughness);
+                 "Pair style lubcontact roughness must be below the range {}, but is {}{}", reach,
+                 c.roughness, origin);
     if (found->first == &TypeCoeffs::adhesion) adhesion_word = arg[iarg + 1];
     iarg += words;
   }
   if (c.adhesion > 0.0 && c.roughness == 0.0)
     error->all(FLERR, place_of(input, adhesion_word),
                "Pair style lubcontact adhesion is of asperities, but these types have none: give "
-               "them a roughness > 0");
+               "them a roughness > 0{}",
+               origin);
   return c;
 }
 
 }    // namespace
 
-TypeCoeffs LubcontactTypeCoeffs::parse(int narg, char **arg, double reach) const
+TypeCoeffs LubcontactTypeCoeffs::parse(int narg, char **arg, double reach,
+                                       const std::string &origin) const
 {
-  return CoeffParser(lmp, narg, arg).parse(reach);
+  return CoeffParser(lmp, narg, arg, origin).parse(reach);
 }
 
 /* ---------------------------------------------------------------------- */
