@@ -148,7 +148,7 @@ bool PairLubcontact::acts(int i, int jj, double un, double a) const
   const int itype = atom->type[i], jtype = atom->type[j];
   const char *faces_i = faces_of(i);
   const bool screened = faces_i && !faces_i[jj];
-  return un < (screened ? touching_gap(coeffs[itype][jtype]) : reach[itype][jtype]) * a;
+  return un < (screened ? touching_gap_a(coeffs[itype][jtype]) : reach[itype][jtype]) * a;
 }
 
 /* ----------------------------------------------------------------------

@@ -89,7 +89,7 @@ int PairLubcontact::set_range(int narg, char **arg)
   const std::string rule = arg[1];
   if (rule == "default") {
     range_rule = static_cast<int>(Lubcontact_NS::DEFAULT_RANGE);
-    hc = Lubcontact_NS::DEFAULT_REACH;
+    hc = Lubcontact_NS::DEFAULT_REACH_A;
     if (narg > 2 && utils::is_double(arg[2]))
       error->all(FLERR, 3,
                  "Pair style lubcontact range default takes no number, but found {}: write cut {}",

@@ -105,7 +105,7 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
         const double end = radsum + reach_i[jtype] * a;
         near = rsq < end * end;
         if (screened && !faces_i[jj]) {
-          const double touch = radsum + touching_gap(coeffs_i[jtype]) * a;
+          const double touch = radsum + touching_gap_a(coeffs_i[jtype]) * a;
           near = rsq < touch * touch;
         }
       }
@@ -165,7 +165,7 @@ template <class E> void PairLubcontact::fill(Queue &queue)
       b.per_ramp[l] = c.threshold.per_ramp;
     }
     if constexpr (E::adhesion) {
-      b.release[l] = c.normal.gap.release;
+      b.release_a[l] = c.normal.gap.release_a;
       b.ln_release[l] = c.normal.gap.ln_release;
     }
     if constexpr (E::repulsion) {
@@ -175,7 +175,7 @@ template <class E> void PairLubcontact::fill(Queue &queue)
     b.g[l] = c.normal.g;
     b.asperity[l] = c.normal.asperity;
     b.alpha[l] = c.normal.gap.alpha;
-    b.eps[l] = c.normal.gap.eps;
+    b.eps_a[l] = c.normal.gap.eps_a;
     b.ln_eps[l] = c.normal.gap.ln_eps;
   }
 }

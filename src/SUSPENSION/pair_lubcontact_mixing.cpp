@@ -142,7 +142,7 @@ double PairLubcontact::init_one(int i, int j)
   const double eps = roughness[i][j], release = eps + adhesion[i][j];
   Lubcontact_NS::GapLaw gap{asperity[i][j] / g[i][j], eps, eps > 0.0 ? log(eps) : -HUGE_VAL,
                             euler != 0};
-  gap.release = release;
+  gap.release_a = release;
   gap.ln_release = adhesion[i][j] > 0.0 ? log(release) : gap.ln_eps;
   PairCoeffs &c = coeffs[i][j];
   c = {{g[i][j], asperity[i][j], gap}, kt[i][j], friction[i][j]};

@@ -81,7 +81,7 @@ void PairLubcontact::visit_pairs(const Visitor &visit) const
           Lubcontact_NS::pair_geometry(vector(x[i]), vector(x[j]), radius[i], radius[j], a);
       const int itype = atom->type[i], jtype = atom->type[j];
       const bool screened = faces_i && !faces_i[jj];
-      const double end = screened ? touching_gap(coeffs[itype][jtype]) : reach[itype][jtype];
+      const double end = screened ? touching_gap_a(coeffs[itype][jtype]) : reach[itype][jtype];
       if (!size_history && geometry.un >= end * a) continue;
 
       const double *history = size_history ? fix_history->firstvalue[i] + size_history * jj
