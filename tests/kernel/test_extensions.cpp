@@ -395,7 +395,7 @@ TEST(Repulsion, HoweverStiffDoesNotLimitTheTimeStep)
     double un = 0.01, v = 0.0, highest = 0.0;
     Gap gap = gap_of(elastic_gap_a<REPULSION>(c, 1.0, un, false), false);
     auto push = [&](const Gap &at) {
-      const NormalForce n = normal_force<REPULSION>(c, 1.0, un, at.u, eta > 0.0);
+      const NormalForce n = normal_force<REPULSION>(c, 1.0, un, at.u_a, eta > 0.0);
       return n.contact + n.film + n.repulsion - weight;
     };
     double F = push(gap);
