@@ -421,7 +421,7 @@ std::vector<TypePair> LAMMPS_NS::read_materials(LAMMPS *lmp, int narg, char **ar
       for (const char *word : words.all) made += std::string(" ") + word;
       const int number = static_cast<int>(words.all.size());
       pairs.push_back({i, j,
-                       coeffs.parse(number, words.all.data(), settings.reach,
+                       coeffs.parse(number, words.all.data(), settings.reach_a,
                                     fmt::format("; in what {} makes of {} and {}: {}", arg[2],
                                                 one.material->name, other.material->name, made))});
     }
