@@ -13,5 +13,5 @@ for sphinx in "$(command -v sphinx-build || true)" /usr/bin/sphinx-build ""; do
 done
 [ -n "$sphinx" ] || die "no sphinx-build found; Debian: apt-get install python3-sphinx libjs-mathjax"
 mkdir -p "$folder"
-"$sphinx" -W --keep-going -n -q -b html -d "$folder/.doctrees" "$top/doc/src" "$folder"
+"$sphinx" -E -a -W --keep-going -n -q -b html -d "$folder/.doctrees" "$top/doc/src" "$folder"
 say "open $folder/index.html"
