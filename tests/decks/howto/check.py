@@ -110,7 +110,7 @@ lift = ("fix weight all gravity ${g} vector 0 0 -1\nvariable lift atom 4/3*PI*ra
 for density in 0.1, 0.05, 0.02:    # the last one floats
     table = deck.Run(run("lift", sphere.replace(weight, lift), rho_p=density), 0).thermo()
     deck.expect_close(f"a lift of its own, density {density}", table["v_v"][-1], 2 / 9 * (density - 0.04) * 75, rtol=1e-7)
-text = run("bed", shortened(bed, 200000) + "suspension_scene brief\n", N=100, rho=1.0, dt=1e-3)
+text = run("bed", shortened(bed, 300000) + "suspension_scene brief\n", N=100, rho=1.0, dt=7e-4)
 table = deck.Run(text, 0).thermo()
 deck.expect_close("the floor carries the weight", table["c_load"][-1], -table["v_weight"][-1], rtol=2e-3)
 deck.expect_close("the bed rests", table["v_v"][-1], 0, atol=1e-3)
