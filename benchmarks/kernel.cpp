@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 
 namespace {
 

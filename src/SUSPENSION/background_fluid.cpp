@@ -17,9 +17,9 @@
 #include "fix.h"
 #include "fix_rheometer_plates.h"
 #include "input.h"
-#include "math_const.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
+#include "suspension_host.h"
 #include "update.h"
 #include "variable.h"
 
@@ -27,31 +27,26 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using MathConst::MY_PI;
 
 // what fix rheometer/plates calls f_ID[3] and f_ID[4]
 static constexpr int GAP_OF_PLATES = 2, VELOCITY_OF_PLATES = 3;
-
-static constexpr double ROUNDING = 1e-12;    // of a sum over particles
 
 /* ---------------------------------------------------------------------- */
 
 void BackgroundFluid::init()
 {
-  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, "Fix {} needs finite-size spheres; use: atom_style sphere", style);
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR, "Fix {} does not work with run_style respa; use: run_style verlet", style);
+  Suspension_NS::require_spheres(lmp, "Fix " + style);
+  Suspension_NS::require_verlet(lmp, "Fix " + style);
   for (const auto &other : modify->get_fix_list())
     if (other->rigid_flag)
       error->all(FLERR, "Fix {} cannot drag the rigid bodies of fix {}", style, other->id);
 
-  if (eta_of_pair && !viscosity_of_pair(lmp))
+  if (eta_of_pair && !Suspension_NS::viscosity_of_pair(lmp))
     error->all(FLERR, "Fix {} eta pair: {}; give the viscosity instead of pair", style,
-               why_no_viscosity(lmp));
+               Suspension_NS::why_no_viscosity(lmp));
   check_number(eta, "viscosity");
   check_number(hindered, "hindrance");
-  for (const RheometerTarget &target : number) check_number(target, "flow");
+  for (const Suspension_NS::InputNumber &target : number) check_number(target, "flow");
   for (Component &c : component) check_component(c);
   if (isolated) check_isolated();
   if (profile == PLATES) find_plates();
@@ -62,7 +57,7 @@ void BackgroundFluid::init()
 
 /* ---------------------------------------------------------------------- */
 
-void BackgroundFluid::check_number(const RheometerTarget &target, const char *what)
+void BackgroundFluid::check_number(const Suspension_NS::InputNumber &target, const char *what)
 {
   target.check(lmp, style.c_str(), what);
 }
@@ -108,8 +103,6 @@ void BackgroundFluid::exclude_plates()
   }
 }
 
-/* ---------------------------------------------------------------------- */
-
 /* ----------------------------------------------------------------------
    particles that cross the boundary must change their velocity as the flow does. Not by
    domain->deform_flag, which fix deform sets only once the run is set up
@@ -148,12 +141,10 @@ void BackgroundFluid::setup()
 void BackgroundFluid::measure_solid()
 {
   double mine = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double r = atom->radius[i];
-    mine += MY_PI * r * r * (domain->dimension == 2 ? 1.0 : 4.0 / 3.0 * r);
-  }
+  for (int i = 0; i < atom->nlocal; i++)
+    mine += Suspension_NS::particle_volume(domain, atom->radius[i]);
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  if (fabs(all - solid) > ROUNDING * all) solid = all;
+  if (!Suspension_NS::is_same_sum(solid, all)) solid = all;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -161,7 +152,7 @@ void BackgroundFluid::measure_solid()
 bool BackgroundFluid::has_variables() const
 {
   if (!eta.is_number() || !hindered.is_number()) return true;
-  for (const RheometerTarget &target : number)
+  for (const Suspension_NS::InputNumber &target : number)
     if (!target.is_number()) return true;
   for (const Component &c : component)
     if (!c.target.is_number()) return true;
@@ -194,12 +185,13 @@ double BackgroundFluid::value_of(const std::string &variable) const
           "Suspension_scene measure cannot copy fix {}: variable {} is atom-style; the advice "
           "without the word measure works here, too",
           fix->id, variable);
-  std::vector<RheometerTarget> targets = {eta, hindered};
+  std::vector<Suspension_NS::InputNumber> targets = {eta, hindered};
   targets.insert(targets.end(), std::begin(number), std::end(number));
   for (const Component &c : component) targets.push_back(c.target);
-  const auto found = std::find_if(targets.begin(), targets.end(), [&](const RheometerTarget &t) {
-    return t.variable == variable;
-  });
+  const auto found =
+      std::find_if(targets.begin(), targets.end(), [&](const Suspension_NS::InputNumber &t) {
+        return t.variable == variable;
+      });
   return found->value;
 }
 
@@ -211,8 +203,9 @@ void BackgroundFluid::new_step()
   const bool variables = has_variables();
   if (variables) modify->clearstep_compute();
   eta.evaluate(lmp);
-  const double *of_pair = eta_of_pair ? viscosity_of_pair(lmp) : &eta.value;
-  if (!of_pair) error->all(FLERR, "Fix {} eta pair: {}", style, why_no_viscosity(lmp));
+  const double *of_pair = eta_of_pair ? Suspension_NS::viscosity_of_pair(lmp) : &eta.value;
+  if (!of_pair)
+    error->all(FLERR, "Fix {} eta pair: {}", style, Suspension_NS::why_no_viscosity(lmp));
   viscosity = *of_pair;
   if (!(viscosity >= 0.0))
     error->all(FLERR, "Fix {} viscosity must be >= 0, but is {} at step {}", style, viscosity,
@@ -229,7 +222,7 @@ void BackgroundFluid::new_step()
 
 void BackgroundFluid::check_isolated() const
 {
-  const auto pairs = all_lubcontact(lmp);
+  const auto pairs = PairLubcontact::all(lmp);
   if (pairs.empty())
     error->all(FLERR,
                "Fix {} isolated counts partners in range of pair style lubcontact, which is "
@@ -253,7 +246,7 @@ void BackgroundFluid::count_partners()
 {
   partners.assign(atom->nlocal, 0.0);
   std::vector<double> part;
-  for (PairLubcontact *pair : all_lubcontact(lmp)) {
+  for (PairLubcontact *pair : PairLubcontact::all(lmp)) {
     pair->count_partners(part);
     for (int i = 0; i < atom->nlocal; i++) partners[i] += part[i];
   }
@@ -263,7 +256,7 @@ void BackgroundFluid::count_partners()
 
 void BackgroundFluid::update_profile()
 {
-  for (RheometerTarget &target : number) target.evaluate(lmp);
+  for (Suspension_NS::InputNumber &target : number) target.evaluate(lmp);
   if (profile == VELOCITY) update_components();
   if (profile == PLATES) {
     // lower plate at rest; a gap of zero is not yet known
@@ -306,8 +299,7 @@ void BackgroundFluid::update_hindrance()
   hindered.evaluate(lmp);
   double phi = hindered.value;
   if (rule == MEASURED) measure_solid();
-  if (rule == MEASURED)
-    phi = solid / (domain->xprd * domain->yprd * (domain->dimension == 2 ? 1.0 : domain->zprd));
+  if (rule == MEASURED) phi = solid / Suspension_NS::cell_volume(domain);
   if (rule != CONSTANT && !(phi >= 0.0 && phi < 1.0))
     error->all(FLERR,
                "Fix {} hindrance: the volume fraction must be >= 0 and < 1, but is {} at "
@@ -321,9 +313,9 @@ void BackgroundFluid::update_hindrance()
 
 /* ---------------------------------------------------------------------- */
 
-lubcontact::Flow BackgroundFluid::flow(int i) const
+Lubcontact_NS::Flow BackgroundFluid::flow(int i) const
 {
-  using namespace lubcontact;
+  using namespace Lubcontact_NS;
   const double *x = atom->x[i];
   switch (profile) {
     case SHEAR:
@@ -353,10 +345,10 @@ lubcontact::Flow BackgroundFluid::flow(int i) const
 
 /* ---------------------------------------------------------------------- */
 
-lubcontact::Drag BackgroundFluid::drag(int i) const
+Lubcontact_NS::Drag BackgroundFluid::drag(int i) const
 {
   if (isolated && partners[i] >= isolated) return {};
-  return lubcontact::drag(body, factor * viscosity, atom->radius[i]);
+  return Lubcontact_NS::drag(body, factor * viscosity, atom->radius[i]);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -366,13 +358,4 @@ double BackgroundFluid::memory_usage() const
   double bytes = sizeof(double) * partners.capacity();
   for (const Component &c : component) bytes += sizeof(double) * c.value.capacity();
   return bytes;
-}
-
-/* ---------------------------------------------------------------------- */
-
-int LAMMPS_NS::overdamped_groups(LAMMPS *lmp)
-{
-  int bits = 0;
-  for (const auto &fix : lmp->modify->get_fix_by_style("^overdamped")) bits |= fix->groupbit;
-  return bits;
 }

@@ -14,7 +14,7 @@
 #include "lubcontact_background.h"
 #include "lubcontact_drag.h"
 #include "pointers.h"
-#include "rheometer_target.h"
+#include "suspension_input.h"
 
 #include <array>
 #include <string>
@@ -32,9 +32,9 @@ class BackgroundFluid : protected Pointers {
   void setup();       // at the start of a run, once neighbor lists exist
   void new_step();    // values of this step
 
-  lubcontact::Flow flow(int i) const;
-  lubcontact::Drag drag(int i) const;
-  lubcontact::Shape shape() const { return body; }
+  Lubcontact_NS::Flow flow(int i) const;
+  Lubcontact_NS::Drag drag(int i) const;
+  Lubcontact_NS::Shape shape() const { return body; }
   bool only_isolated() const { return isolated > 0; }
   double hindrance() const { return factor; }
   double solid;              // volume of all particles, for restart files
@@ -52,22 +52,22 @@ class BackgroundFluid : protected Pointers {
 
   class Fix *fix;
   std::string style;
-  RheometerTarget eta;
+  Suspension_NS::InputNumber eta;
   std::string words;
   bool evaluated;    // variables have values
   bool eta_of_pair;
   Profile profile;
-  RheometerTarget number[NUM_NUMBERS];    // of the profile
+  Suspension_NS::InputNumber number[NUM_NUMBERS];    // of the profile
   std::string plates_id;
   class FixRheometerPlates *plates;
-  lubcontact::Shape body;
+  Lubcontact_NS::Shape body;
   Hindrance rule;
-  RheometerTarget hindered;    // factor or volume fraction
-  int isolated;                // particles with fewer partners only, 0: all
+  Suspension_NS::InputNumber hindered;    // factor or volume fraction
+  int isolated;                           // particles with fewer partners only, 0: all
 
   // velocity and spin given by variables
   struct Component {
-    RheometerTarget target;
+    Suspension_NS::InputNumber target;
     bool per_atom = false;
     std::vector<double> value;
   };
@@ -75,8 +75,8 @@ class BackgroundFluid : protected Pointers {
 
   // of this step
   double viscosity, factor;
-  lubcontact::Couette couette;
-  lubcontact::Poiseuille poiseuille;
+  Lubcontact_NS::Couette couette;
+  Lubcontact_NS::Poiseuille poiseuille;
   std::vector<double> partners;
 
   void parse(int, char **);
@@ -84,7 +84,7 @@ class BackgroundFluid : protected Pointers {
   void parse_components(char **, int, int);
   void parse_hindrance(int, char **, int &);
   void check_component(Component &);
-  void check_number(const RheometerTarget &, const char *);
+  void check_number(const Suspension_NS::InputNumber &, const char *);
   void find_plates();
   void check_cell() const;
   void exclude_plates();
@@ -97,9 +97,6 @@ class BackgroundFluid : protected Pointers {
   bool has_variables() const;
   double value_of(const std::string &) const;
 };
-
-// bits of the groups that a fix overdamped/sphere moves: their particles have no inertia
-int overdamped_groups(LAMMPS *);
 
 }    // namespace LAMMPS_NS
 

@@ -15,7 +15,7 @@
 #include "error.h"
 #include "fix.h"
 #include "input.h"
-#include "missing_argument.h"
+#include "suspension_input.h"
 #include "variable.h"
 
 #include <cstring>
@@ -42,17 +42,18 @@ static const std::map<std::string, std::string> KEYWORDS = {
 
 BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, int narg, char **arg) :
     Pointers(lmp), solid(0.0), own(lmp), fix(owner), style(owner->style), evaluated(false),
-    eta_of_pair(false), profile(REST), plates(nullptr), body(lubcontact::Shape::SPHERE),
+    eta_of_pair(false), profile(REST), plates(nullptr), body(Lubcontact_NS::Shape::SPHERE),
     rule(CONSTANT), isolated(0), viscosity(0.0),
     factor(1.0), couette{0.0, 0.0, 0.0, 0.0}, poiseuille{0.0, 0.0, 0.0}
 {
-  require_words(FLERR, error, "fix " + style, narg + 1, "fix ID group " + style + " eta ...");
+  Suspension_NS::require_words(FLERR, error, "fix " + style, narg + 1,
+                               "fix ID group " + style + " eta ...");
   hindered.value = 1.0;
   words = utils::join_words(std::vector<std::string>(arg + 3, arg + narg), " ");
   if (strcmp(arg[3], "pair") == 0)
     eta_of_pair = true;
   else
-    eta = RheometerTarget(lmp, arg[3]);
+    eta = Suspension_NS::InputNumber(lmp, arg[3]);
   if (!eta_of_pair && eta.is_number() && !(eta.value >= 0.0))
     error->all(FLERR, 3, "Fix {} viscosity must be >= 0, but is {}", style, arg[3]);
   parse(narg, arg);
@@ -72,7 +73,8 @@ void BackgroundFluid::parse(int narg, char **arg)
     const auto known = KEYWORDS.find(key);
     if (known == KEYWORDS.end())
       error->all(FLERR, iarg, "Unknown fix {} keyword: {}", style, arg[iarg]);
-    require_words(FLERR, error, "fix " + style, narg - iarg, key + " " + known->second);
+    Suspension_NS::require_words(FLERR, error, "fix " + style, narg - iarg,
+                                 key + " " + known->second);
     if (places.count(key)) error->all(FLERR, iarg, "Fix {} {} is given twice", style, key);
     places[key] = iarg;
     const auto flow = PROFILES.find(key);
@@ -83,11 +85,11 @@ void BackgroundFluid::parse(int narg, char **arg)
       iarg += 4;
     } else if (key == "shape") {
       if (strcmp(arg[iarg + 1], "disc") == 0)
-        body = lubcontact::Shape::DISC;
+        body = Lubcontact_NS::Shape::DISC;
       else if (strcmp(arg[iarg + 1], "sphere") != 0)
         error->all(FLERR, iarg + 1, "Fix {} shape must be sphere or disc, but is {}", style,
                    arg[iarg + 1]);
-      if (body == lubcontact::Shape::DISC && domain->dimension != 2)
+      if (body == Lubcontact_NS::Shape::DISC && domain->dimension != 2)
         error->all(FLERR, iarg + 1, "Fix {} shape disc needs a 2d simulation; use: dimension 2",
                    style);
       iarg += 2;
@@ -125,7 +127,7 @@ void BackgroundFluid::parse_profile(Profile which, char **arg, int &iarg, std::s
   else if (profile == VELOCITY)
     parse_components(arg, iarg, 0);
   else
-    for (int n = 0; n < values; n++) number[n] = RheometerTarget(lmp, arg[iarg + 1 + n]);
+    for (int n = 0; n < values; n++) number[n] = Suspension_NS::InputNumber(lmp, arg[iarg + 1 + n]);
 
   auto above = [&](int high, int low) {
     const bool numbers = number[low].is_number() && number[high].is_number();
@@ -145,7 +147,8 @@ void BackgroundFluid::parse_profile(Profile which, char **arg, int &iarg, std::s
 
 void BackgroundFluid::parse_components(char **arg, int iarg, int first)
 {
-  for (int n = 0; n < 3; n++) component[first + n].target = RheometerTarget(lmp, arg[iarg + 1 + n]);
+  for (int n = 0; n < 3; n++)
+    component[first + n].target = Suspension_NS::InputNumber(lmp, arg[iarg + 1 + n]);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -161,11 +164,11 @@ void BackgroundFluid::parse_hindrance(int narg, char **arg, int &iarg)
   }
   int place = iarg - 1;
   if (strcmp(word, "phi") == 0) {
-    require_words(FLERR, error, "fix " + style, narg - iarg + 2, "hindrance phi f");
+    Suspension_NS::require_words(FLERR, error, "fix " + style, narg - iarg + 2, "hindrance phi f");
     rule = FRACTION;
     place = iarg++;
   }
-  hindered = RheometerTarget(lmp, arg[place]);
+  hindered = Suspension_NS::InputNumber(lmp, arg[place]);
   if (!hindered.is_number()) return;
   if (rule == FRACTION && !(hindered.value >= 0.0 && hindered.value < 1.0))
     error->all(FLERR, place, "Fix {} hindrance phi must be >= 0 and < 1, but is {}", style,

@@ -19,14 +19,14 @@
 #include "lubcontact_fabric.h"
 #include "lubcontact_orientation.h"
 #include "memory.h"
-#include "missing_argument.h"
+#include "suspension_input.h"
 #include "update.h"
 
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using lubcontact::DirectionBins;
-using lubcontact::Plane;
+using Lubcontact_NS::DirectionBins;
+using Lubcontact_NS::Plane;
 
 /* ---------------------------------------------------------------------- */
 
@@ -59,7 +59,7 @@ void ComputeMicrostructure::read_mode(int narg, char **arg)
     mode = FABRIC;
   } else if (word == "forces") {
     mode = FORCES;
-    require_words(FLERR, error, "compute microstructure", narg - 3, "forces N hi");
+    Suspension_NS::require_words(FLERR, error, "compute microstructure", narg - 3, "forces N hi");
     bins = read_count(4, arg);
     largest = utils::numeric(FLERR, arg[5], false, lmp);
     if (!(largest > 0.0))
@@ -70,7 +70,7 @@ void ComputeMicrostructure::read_mode(int narg, char **arg)
     next = 6;
   } else if (word == "angle") {
     mode = ANGLE;
-    require_words(FLERR, error, "compute microstructure", narg - 3, "angle N ...");
+    Suspension_NS::require_words(FLERR, error, "compute microstructure", narg - 3, "angle N ...");
     directions->azimuths = read_count(4, arg);
     next = 5;
   } else if (word == "sphere") {
@@ -79,7 +79,8 @@ void ComputeMicrostructure::read_mode(int narg, char **arg)
       error->all(FLERR, 3,
                  "Compute microstructure sphere needs three dimensions; use: angle {} in 2d",
                  narg > 5 ? arg[5] : "N");
-    require_words(FLERR, error, "compute microstructure", narg - 3, "sphere Nh Na ...");
+    Suspension_NS::require_words(FLERR, error, "compute microstructure", narg - 3,
+                                 "sphere Nh Na ...");
     directions->heights = read_count(4, arg);
     directions->azimuths = read_count(5, arg);
     next = 6;
@@ -121,8 +122,8 @@ void ComputeMicrostructure::read_directions(int iarg, int narg, char **arg)
     const std::string key = arg[iarg];
     if (key != "plane" && key != "band" && key != "stress")
       error->all(FLERR, iarg, "Unknown compute microstructure {} keyword: {}", arg[3], key);
-    require_words(FLERR, error, "compute microstructure", narg - iarg,
-                  key + (key == "plane" ? " xy|xz|yz" : " value"));
+    Suspension_NS::require_words(FLERR, error, "compute microstructure", narg - iarg,
+                                 key + (key == "plane" ? " xy|xz|yz" : " value"));
     const std::string value = arg[iarg + 1];
     if (key == "plane") {
       if (value != "xy" && value != "xz" && value != "yz")
@@ -164,13 +165,13 @@ void ComputeMicrostructure::set_output()
   extscalar = extvector = extarray = 0;
   if (mode == CONTACTS) {
     scalar_flag = vector_flag = 1;
-    size_vector = lubcontact::Averages::SIZE;
+    size_vector = Lubcontact_NS::Averages::SIZE;
     comm_reverse = 1;
   } else {
     array_flag = 1;
     if (mode == FABRIC) {
       size_array_rows = FABRIC_ROWS;
-      size_array_cols = lubcontact::FABRIC_SIZE;
+      size_array_cols = Lubcontact_NS::FABRIC_SIZE;
     } else if (mode == FORCES) {
       size_array_rows = bins;
       size_array_cols = FORCE_COLUMNS;
@@ -178,7 +179,7 @@ void ComputeMicrostructure::set_output()
       size_vector = FORCE_NUMBERS;
     } else {
       size_array_rows = directions->size();
-      size_array_cols = (mode == SPHERE ? 2 : 1) + DIRECTION_SUMS + lubcontact::NUM_CHANNELS;
+      size_array_cols = (mode == SPHERE ? 2 : 1) + DIRECTION_SUMS + Lubcontact_NS::NUM_CHANNELS;
       comm_forward = 3;
     }
     memory->create(array, size_array_rows, size_array_cols, "microstructure:array");
@@ -199,7 +200,7 @@ double ComputeMicrostructure::compute_scalar()
 {
   invoked_scalar = update->ntimestep;
   compute_contacts();
-  scalar = vector[lubcontact::Averages::Z];
+  scalar = vector[Lubcontact_NS::Averages::Z];
   return scalar;
 }
 

@@ -20,11 +20,11 @@ ComputeStyle(microstructure,ComputeMicrostructure);
 
 #include <vector>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 struct DirectionBins;
 struct Load;
 struct PairGeometry;
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 namespace LAMMPS_NS {
 
@@ -49,7 +49,7 @@ class ComputeMicrostructure : public Compute {
   Mode mode;
   int bins;                                     // of mode forces
   double largest;                               // upper end of the histogram, in mean forces
-  lubcontact::DirectionBins *directions;        // of modes angle and sphere
+  Lubcontact_NS::DirectionBins *directions;     // of modes angle and sphere
   int stress_a, stress_b;                       // component of the stress of these
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
   std::vector<double> per_atom;    // contacts, or velocities of this step also of the ghosts
@@ -65,8 +65,8 @@ class ComputeMicrostructure : public Compute {
   void compute_fabric();
   void compute_forces();
   void compute_directions();
-  void add_direction(double, int, int, const lubcontact::PairGeometry &, const lubcontact::Load &,
-                     double *) const;
+  void add_direction(double, int, int, const Lubcontact_NS::PairGeometry &,
+                     const Lubcontact_NS::Load &, double *) const;
   void share_velocities();
 };
 

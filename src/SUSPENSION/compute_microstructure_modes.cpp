@@ -19,18 +19,19 @@
 #include "lubcontact_histogram.h"
 #include "lubcontact_orientation.h"
 #include "pair_lubcontact.h"
+#include "suspension_host.h"
 
 #include <algorithm>
 
 using namespace LAMMPS_NS;
-using lubcontact::Fabric;
-using lubcontact::Histogram;
-using lubcontact::Load;
-using lubcontact::NUM_CHANNELS;
-using lubcontact::PairGeometry;
-using lubcontact::PairSums;
-using lubcontact::PairView;
-using lubcontact::Vec3;
+using Lubcontact_NS::Fabric;
+using Lubcontact_NS::Histogram;
+using Lubcontact_NS::Load;
+using Lubcontact_NS::NUM_CHANNELS;
+using Lubcontact_NS::PairGeometry;
+using Lubcontact_NS::PairSums;
+using Lubcontact_NS::PairView;
+using Lubcontact_NS::Vec3;
 
 /* ----------------------------------------------------------------------
    the pairs of which both atoms are in the group, of every sub-style
@@ -60,7 +61,7 @@ void ComputeMicrostructure::compute_contacts()
   PairSums mine, all;
   per_atom.assign(static_cast<std::size_t>(atom->nlocal) + atom->nghost, 0.0);
   visit([&](int i, int j, double w, const PairGeometry &g, const Load &load) {
-    const PairView p = lubcontact::view(g, load);
+    const PairView p = Lubcontact_NS::view(g, load);
     mine.add(w, p);
     if (!p.contact) return;
     per_atom[i] += 1.0;
@@ -72,7 +73,8 @@ void ComputeMicrostructure::compute_contacts()
   double rattlers, single;
   count_rattlers(rattlers, single);
   const auto particles = static_cast<double>(group->count(igroup));
-  const lubcontact::Averages averages = lubcontact::averages(all, particles, rattlers, single);
+  const Lubcontact_NS::Averages averages =
+      Lubcontact_NS::averages(all, particles, rattlers, single);
   std::copy(averages.value, averages.value + averages.SIZE, vector);
 }
 
@@ -101,7 +103,7 @@ void ComputeMicrostructure::compute_fabric()
   enum { CONTACT, FRICTIONAL, FILM, NORMAL, FRICTION };
   Fabric fabric[FABRIC_ROWS];
   visit([&](int, int, double w, const PairGeometry &g, const Load &load) {
-    const PairView p = lubcontact::view(g, load);
+    const PairView p = Lubcontact_NS::view(g, load);
     if (!p.contact) {
       fabric[FILM].add(w, p.n);
       return;
@@ -109,7 +111,8 @@ void ComputeMicrostructure::compute_fabric()
     fabric[CONTACT].add(w, p.n);
     if (p.frictional) fabric[FRICTIONAL].add(w, p.n);
     fabric[NORMAL].add(w * p.normal, p.n);
-    const Vec3 friction = lubcontact::force_by_channel(g, load)[lubcontact::CONTACT_TANGENTIAL];
+    const Vec3 friction =
+        Lubcontact_NS::force_by_channel(g, load)[Lubcontact_NS::CONTACT_TANGENTIAL];
     fabric[FRICTION].add(w, p.n, friction, w * p.normal);
   });
   std::vector<double> sums;
@@ -117,8 +120,9 @@ void ComputeMicrostructure::compute_fabric()
   sum_over_ranks(sums);
   for (int row = 0; row < FABRIC_ROWS; row++) {
     Fabric total;
-    std::copy_n(&sums[row * (lubcontact::FABRIC_SIZE + 1)], lubcontact::FABRIC_SIZE + 1, total.sum);
-    for (int m = 0; m < lubcontact::FABRIC_SIZE; m++) array[row][m] = total.mean(m);
+    std::copy_n(&sums[row * (Lubcontact_NS::FABRIC_SIZE + 1)], Lubcontact_NS::FABRIC_SIZE + 1,
+                total.sum);
+    for (int m = 0; m < Lubcontact_NS::FABRIC_SIZE; m++) array[row][m] = total.mean(m);
   }
 }
 
@@ -134,7 +138,7 @@ void ComputeMicrostructure::compute_forces()
   std::vector<Sample> samples;
   std::vector<double> sums(4, 0.0);    // contacts, their force, those with friction, their force
   visit([&](int, int, double w, const PairGeometry &g, const Load &load) {
-    const PairView p = lubcontact::view(g, load);
+    const PairView p = Lubcontact_NS::view(g, load);
     if (!p.contact) return;
     samples.push_back({w, p.normal, p.frictional ? p.friction : -1.0});
     sums[0] += w;
@@ -144,8 +148,8 @@ void ComputeMicrostructure::compute_forces()
     sums[3] += w * p.friction;
   });
   sum_over_ranks(sums);
-  const double mean = lubcontact::ratio(sums[1], sums[0]);
-  const double mean_friction = lubcontact::ratio(sums[3], sums[2]);
+  const double mean = Lubcontact_NS::ratio(sums[1], sums[0]);
+  const double mean_friction = Lubcontact_NS::ratio(sums[3], sums[2]);
 
   Histogram normal(0.0, largest, bins), friction(0.0, largest, bins);
   for (const Sample &s : samples) {
@@ -162,11 +166,11 @@ void ComputeMicrostructure::compute_forces()
   }
   const double numbers[FORCE_NUMBERS] = {sums[0],
                                          mean,
-                                         lubcontact::ratio(normal.below(), sums[0]),
-                                         lubcontact::ratio(normal.above(), sums[0]),
+                                         Lubcontact_NS::ratio(normal.below(), sums[0]),
+                                         Lubcontact_NS::ratio(normal.above(), sums[0]),
                                          sums[2],
                                          mean_friction,
-                                         lubcontact::ratio(friction.above(), sums[2])};
+                                         Lubcontact_NS::ratio(friction.above(), sums[2])};
   std::copy(std::begin(numbers), std::end(numbers), vector);
 }
 
@@ -189,10 +193,9 @@ void ComputeMicrostructure::compute_directions()
   // per particle and angle, so that the integral over all directions is the sum over all neighbors
   const double measure = mode == SPHERE ? directions->measure_sphere()
                                         : directions->measure_circle();
-  double volume = domain->xprd * domain->yprd;
-  if (domain->dimension == 3) volume *= domain->zprd;
+  const double volume = Suspension_NS::cell_volume(domain);
   const double per_particle =
-      lubcontact::ratio(2.0 / measure, static_cast<double>(group->count(igroup)));
+      Lubcontact_NS::ratio(2.0 / measure, static_cast<double>(group->count(igroup)));
   const double stress = -force->nktv2p / (volume * measure);
   for (int row = 0; row < size_array_rows; row++) {
     if (mode == SPHERE) array[row][0] = directions->polar_angle(row);
@@ -206,7 +209,7 @@ void ComputeMicrostructure::compute_directions()
 void ComputeMicrostructure::add_direction(double w, int i, int j, const PairGeometry &g,
                                           const Load &load, double *sum) const
 {
-  const PairView p = lubcontact::view(g, load);
+  const PairView p = Lubcontact_NS::view(g, load);
   const double *vi = &per_atom[3 * static_cast<std::size_t>(i)];
   const double *vj = &per_atom[3 * static_cast<std::size_t>(j)];
   const Vec3 v = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]};
@@ -217,12 +220,12 @@ void ComputeMicrostructure::add_direction(double w, int i, int j, const PairGeom
   *sum++ += w * p.normal;
   *sum++ += w * p.friction;
   *sum++ += w * dot(v, g.n);
-  *sum++ += w * norm(lubcontact::tangential(v, g.n));
+  *sum++ += w * norm(Lubcontact_NS::tangential(v, g.n));
 
   auto component = [](const Vec3 &a, int m) {
     return m == 0 ? a.x : (m == 1 ? a.y : a.z);
   };
   const double lever = w * g.r * component(g.n, stress_a);
-  for (const Vec3 &f : lubcontact::force_by_channel(g, load))
+  for (const Vec3 &f : Lubcontact_NS::force_by_channel(g, load))
     *sum++ += lever * component(f, stress_b);
 }

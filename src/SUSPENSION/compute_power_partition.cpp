@@ -10,7 +10,6 @@
 #include "compute_power_partition.h"
 
 #include "atom.h"
-#include "background_fluid.h"
 #include "compute_stress_partition.h"
 #include "domain.h"
 #include "error.h"
@@ -20,6 +19,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
+#include "suspension_host.h"
 #include "uncounted_forces.h"
 #include "update.h"
 
@@ -94,7 +94,7 @@ void ComputePowerPartition::compute_array()
   // and behind the rows what inertia needs: one reduction for both
   struct Sums {
     double row[NUM_ROWS][2] = {};
-    lubcontact::Inertia inertia;
+    Lubcontact_NS::Inertia inertia;
   } mine, all;
   for (const auto &pair : pairs)
     for (int m = 0; m < NUM_ORIGINS; m++) {
@@ -106,7 +106,7 @@ void ComputePowerPartition::compute_array()
   MPI_Allreduce(mine.row[0], all.row[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 
   std::copy_n(all.row[0], 2 * NUM_ROWS, array[0]);
-  const lubcontact::Fluctuation f = lubcontact::fluctuation(all.inertia);
+  const Lubcontact_NS::Fluctuation f = Lubcontact_NS::fluctuation(all.inertia);
   array[KINETIC][1] += 0.5 * force->mvv2e * (f.xx + f.yy + f.zz);
   if (pairs.front()->power_of_step)
     for (auto &fix : drags) array[DRAG][0] += fix->compute_vector(fix->size_vector - 1);
@@ -119,35 +119,13 @@ void ComputePowerPartition::compute_array()
 double ComputePowerPartition::spin_energy() const
 {
   double sum = 0.0;
-  const int massless = overdamped_groups(lmp);
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     if (atom->mask[i] & massless) continue;
     const double *omega = atom->omega[i];
     sum += inertia.of(atom, i) * (omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
   }
   return 0.5 * force->mvv2e * sum;
-}
-
-/* ----------------------------------------------------------------------
-   velocity gradient of the cell, (rate of h)/h: upper triangular as h is, in the order xx yy zz yz xz xy
-------------------------------------------------------------------------- */
-
-struct Gradient {
-  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
-};
-
-static Gradient cell_gradient(const Domain *domain)
-{
-  Gradient l;
-  if (!domain->deform_flag) return l;
-  const double *rate = domain->h_rate, *inv = domain->h_inv;
-  l.xx = rate[0] * inv[0];
-  l.yy = rate[1] * inv[1];
-  l.zz = rate[2] * inv[2];
-  l.xy = rate[0] * inv[5] + rate[5] * inv[1];
-  l.yz = rate[1] * inv[3] + rate[3] * inv[2];
-  l.xz = rate[0] * inv[4] + rate[5] * inv[3] + rate[4] * inv[2];
-  return l;
 }
 
 /* ----------------------------------------------------------------------
@@ -164,7 +142,7 @@ double ComputePowerPartition::compute_scalar()
   // r_a F_b of the pairs, over the components xx yy zz xy xz yz yx zx zy; and inertia
   struct Sums {
     double pairs[NUM_COMPONENTS] = {};
-    lubcontact::Inertia inertia;
+    Lubcontact_NS::Inertia inertia;
   } mine, all;
   for (const auto &pair : pairs)
     for (const auto &part : pair->partition)
@@ -172,9 +150,9 @@ double ComputePowerPartition::compute_scalar()
   mine.inertia = ComputeStressPartition::measure_inertia(lmp);
   MPI_Allreduce(mine.pairs, all.pairs, sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 
-  const lubcontact::Fluctuation f = lubcontact::fluctuation(all.inertia);
-  const lubcontact::Vec3 drift = all.inertia.drift();
-  const Gradient l = cell_gradient(domain);
+  const Lubcontact_NS::Fluctuation f = Lubcontact_NS::fluctuation(all.inertia);
+  const Lubcontact_NS::Vec3 drift = all.inertia.drift();
+  const auto l = Suspension_NS::cell_gradient(domain);
   // L_xy moves along x what is displaced along y: r_y F_x
   const double *r = all.pairs, unit = force->mvv2e;
   scalar =

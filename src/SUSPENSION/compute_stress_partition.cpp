@@ -10,14 +10,13 @@
 #include "compute_stress_partition.h"
 
 #include "atom.h"
-#include "background_fluid.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
 #include "memory.h"
 #include "pair_lubcontact.h"
-#include "rheometer_target.h"
+#include "suspension_host.h"
 #include "uncounted_forces.h"
 #include "update.h"
 
@@ -67,7 +66,7 @@ void ComputeStressPartition::init()
 
 std::vector<PairLubcontact *> ComputeStressPartition::find_pairs(LAMMPS *lmp, const char *style)
 {
-  auto found = all_lubcontact(lmp);
+  auto found = PairLubcontact::all(lmp);
   if (found.empty())
     lmp->error->all(FLERR,
                     "Compute {} splits the forces of pair_style lubcontact, which is not defined",
@@ -86,7 +85,7 @@ void ComputeStressPartition::compute_array()
   // forces, and behind them what inertia needs: one reduction for both
   struct Sums {
     double row[NUM_ROWS][NUM_COMPONENTS] = {};
-    lubcontact::Inertia inertia;
+    Lubcontact_NS::Inertia inertia;
   } mine, all;
   static_assert(sizeof(Sums) % sizeof(double) == 0, "doubles only");
   for (const auto &pair : pairs) {
@@ -101,12 +100,11 @@ void ComputeStressPartition::compute_array()
   mine.inertia = measure_inertia(lmp);
   MPI_Allreduce(mine.row[0], all.row[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 
-  const lubcontact::Fluctuation f = lubcontact::fluctuation(all.inertia);
+  const Lubcontact_NS::Fluctuation f = Lubcontact_NS::fluctuation(all.inertia);
   const double inertial[NUM_COMPONENTS] = {f.xx, f.yy, f.zz, f.xy, f.xz, f.yz, f.xy, f.xz, f.yz};
   for (int n = 0; n < NUM_COMPONENTS; n++) all.row[INERTIA][n] = force->mvv2e * inertial[n];
 
-  double volume = domain->xprd * domain->yprd;
-  if (domain->dimension == 3) volume *= domain->zprd;
+  const double volume = Suspension_NS::cell_volume(domain);
   for (int m = 0; m < NUM_ROWS; m++)
     for (int n = 0; n < NUM_COMPONENTS; n++) array[m][n] = -force->nktv2p / volume * all.row[m][n];
 }
@@ -115,28 +113,22 @@ void ComputeStressPartition::compute_array()
    velocity of atom i relative to that of the deforming cell
 ------------------------------------------------------------------------- */
 
-lubcontact::Vec3 ComputeStressPartition::relative_velocity(LAMMPS *lmp, int i)
+Lubcontact_NS::Vec3 ComputeStressPartition::relative_velocity(LAMMPS *lmp, int i)
 {
   const double *v = lmp->atom->v[i];
-  Domain *domain = lmp->domain;
-  if (!domain->deform_flag) return {v[0], v[1], v[2]};
-  const double *rate = domain->h_rate, *lo_rate = domain->h_ratelo;
-  double lamda[3];
-  domain->x2lamda(lmp->atom->x[i], lamda);
-  return {v[0] - (rate[0] * lamda[0] + rate[5] * lamda[1] + rate[4] * lamda[2] + lo_rate[0]),
-          v[1] - (rate[1] * lamda[1] + rate[3] * lamda[2] + lo_rate[1]),
-          v[2] - (rate[2] * lamda[2] + lo_rate[2])};
+  const auto flow = Suspension_NS::cell_velocity(lmp->domain, lmp->atom->x[i]);
+  return {v[0] - flow[0], v[1] - flow[1], v[2] - flow[2]};
 }
 
 /* ----------------------------------------------------------------------
    of all atoms of this rank but those of fix overdamped/sphere, which have no inertia
 ------------------------------------------------------------------------- */
 
-lubcontact::Inertia ComputeStressPartition::measure_inertia(LAMMPS *lmp)
+Lubcontact_NS::Inertia ComputeStressPartition::measure_inertia(LAMMPS *lmp)
 {
   const Atom *atom = lmp->atom;
-  const int massless = overdamped_groups(lmp);
-  lubcontact::Inertia sum;
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
+  Lubcontact_NS::Inertia sum;
   for (int i = 0; i < atom->nlocal; i++) {
     if (atom->mask[i] & massless) continue;
     const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];

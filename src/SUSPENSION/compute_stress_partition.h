@@ -20,10 +20,10 @@ ComputeStyle(stress/partition,ComputeStressPartition);
 
 #include <vector>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 struct Inertia;
 struct Vec3;
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 namespace LAMMPS_NS {
 
@@ -41,8 +41,8 @@ class ComputeStressPartition : public Compute {
 
   // shared with compute stress/partition/atom
   static std::vector<class PairLubcontact *> find_pairs(LAMMPS *, const char *);
-  static lubcontact::Vec3 relative_velocity(LAMMPS *, int);
-  static lubcontact::Inertia measure_inertia(LAMMPS *);    // of this rank
+  static Lubcontact_NS::Vec3 relative_velocity(LAMMPS *, int);
+  static Lubcontact_NS::Inertia measure_inertia(LAMMPS *);    // of this rank
 
  protected:
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid

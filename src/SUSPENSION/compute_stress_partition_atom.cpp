@@ -10,7 +10,6 @@
 #include "compute_stress_partition_atom.h"
 
 #include "atom.h"
-#include "background_fluid.h"
 #include "comm.h"
 #include "compute_stress_partition.h"
 #include "error.h"
@@ -18,6 +17,7 @@
 #include "lubcontact_inertia.h"
 #include "memory.h"
 #include "pair_lubcontact.h"
+#include "suspension_host.h"
 #include "uncounted_forces.h"
 #include "update.h"
 
@@ -75,8 +75,8 @@ void ComputeStressPartitionAtom::compute_peratom()
   }
   collect_parts();
 
-  const int massless = overdamped_groups(lmp);
-  const lubcontact::Vec3 drift = find_drift();
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
+  const Lubcontact_NS::Vec3 drift = find_drift();
   for (int i = 0; i < atom->nlocal; i++) {
     double *parts = array_atom[i];
     double *inertial = parts + ComputeStressPartition::INERTIA * NUM_COMPONENTS;
@@ -86,7 +86,7 @@ void ComputeStressPartitionAtom::compute_peratom()
     }
     if (!(atom->mask[i] & massless)) {
       const double m = force->mvv2e * (atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]]);
-      const lubcontact::Vec3 v = ComputeStressPartition::relative_velocity(lmp, i) - drift;
+      const Lubcontact_NS::Vec3 v = ComputeStressPartition::relative_velocity(lmp, i) - drift;
       const double xy = m * v.x * v.y, xz = m * v.x * v.z, yz = m * v.y * v.z;
       const double product[] = {
           m * v.x * v.x, m * v.y * v.y, m * v.z * v.z, xy, xz, yz, xy, xz, yz};
@@ -100,11 +100,11 @@ void ComputeStressPartitionAtom::compute_peratom()
    common velocity of all particles with inertia, in the group or not
 ------------------------------------------------------------------------- */
 
-lubcontact::Vec3 ComputeStressPartitionAtom::find_drift() const
+Lubcontact_NS::Vec3 ComputeStressPartitionAtom::find_drift() const
 {
-  const lubcontact::Inertia mine = ComputeStressPartition::measure_inertia(lmp);
-  lubcontact::Inertia all;
-  MPI_Allreduce(mine.sum, all.sum, lubcontact::Inertia::SIZE, MPI_DOUBLE, MPI_SUM, world);
+  const Lubcontact_NS::Inertia mine = ComputeStressPartition::measure_inertia(lmp);
+  Lubcontact_NS::Inertia all;
+  MPI_Allreduce(mine.sum, all.sum, Lubcontact_NS::Inertia::SIZE, MPI_DOUBLE, MPI_SUM, world);
   return all.drift();
 }
 

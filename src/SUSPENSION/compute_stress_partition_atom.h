@@ -20,7 +20,7 @@ ComputeStyle(stress/partition/atom,ComputeStressPartitionAtom);
 
 #include <vector>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 struct Vec3;
 }
 
@@ -40,7 +40,7 @@ class ComputeStressPartitionAtom : public Compute {
   int nmax;                                     // atoms there is room for
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
   void collect_parts();
-  lubcontact::Vec3 find_drift() const;
+  Lubcontact_NS::Vec3 find_drift() const;
 };
 
 }    // namespace LAMMPS_NS

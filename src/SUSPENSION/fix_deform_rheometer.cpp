@@ -24,6 +24,7 @@
 #include "rheometer_list.h"
 #include "rheometer_mean.h"
 #include "rheometer_servo.h"
+#include "suspension_host.h"
 #include "uncounted_forces.h"
 #include "update.h"
 
@@ -31,8 +32,8 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using rheometer::Cell;
-using rheometer::Gradient;
+using Rheometer_NS::Cell;
+using Rheometer_NS::Gradient;
 
 static constexpr double ROUNDING = 1e-9;    // of a box length: more than a conversion of positions
 
@@ -52,8 +53,7 @@ void FixDeformRheometer::init()
 {
   if (modify->get_fix_by_style("^deform").size() > 1)
     error->all(FLERR, "More than one fix deform: the cell can follow one only");
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR, "Fix {} does not work with run_style respa; use: run_style verlet", style);
+  Suspension_NS::require_verlet(lmp, "Fix deform/rheometer");
   for (const auto &other : modify->get_fix_list())
     if (other->rigid_flag)
       error->all(FLERR, "Fix {} cannot move the rigid bodies of fix {}", style, other->id);
@@ -69,7 +69,7 @@ void FixDeformRheometer::init()
   if (domain->xz != 0.0 || domain->yz != 0.0)
     error->all(FLERR, "Fix {} needs a cell without tilts xz and yz, but they are {} and {}", style,
                domain->xz, domain->yz);
-  if (flow != rheometer::SHEAR && domain->triclinic && domain->xy != 0.0)
+  if (flow != Rheometer_NS::SHEAR && domain->triclinic && domain->xy != 0.0)
     error->all(FLERR, "Fix {} extends cells without tilt, but xy is {}", style, domain->xy);
 
   const std::string minimizer = update->minimize_style;
@@ -161,7 +161,7 @@ void FixDeformRheometer::start_list()
 void FixDeformRheometer::keep_list(const Cell &cell)
 {
   check_cell();    // which otherwise is done with the lists
-  const rheometer::Deformation f = rheometer::deformation(*listed, cell);
+  const Rheometer_NS::Deformation f = Rheometer_NS::deformation(*listed, cell);
   if (!keeper->decide({f}, domain->boxlo)) next_reneighbor = update->ntimestep;
 }
 
@@ -176,8 +176,7 @@ void FixDeformRheometer::check_cell() const
 {
   if (!force->pair) return;
   const double cut = force->pair->cutforce;
-  const double *hi = domain->h_inv;
-  const double height[3] = {1.0 / sqrt(hi[0] * hi[0] + hi[5] * hi[5]), 1.0 / hi[1], 1.0 / hi[2]};
+  const auto height = Suspension_NS::cell_heights(domain);
   for (int d = 0; d < domain->dimension; d++)
     if (domain->periodicity[d] && height[d] < 2.0 * cut)
       error->all(FLERR,
@@ -227,7 +226,7 @@ void FixDeformRheometer::post_integrate()
   stepped = true;
 
   const Cell old = {domain->xprd, domain->yprd, domain->zprd, domain->xy};
-  const Cell cell = rheometer::advance(old, *cell_rate, dt);
+  const Cell cell = Rheometer_NS::advance(old, *cell_rate, dt);
   check_move(old, cell);
   if (cell.lx != old.lx) domain->boxhi[0] = domain->boxlo[0] + cell.lx;
   if (cell.ly != old.ly) domain->boxhi[1] = domain->boxlo[1] + cell.ly;
@@ -236,7 +235,7 @@ void FixDeformRheometer::post_integrate()
   domain->set_global_box();
   domain->set_local_box();
 
-  flipxy = flow == rheometer::SHEAR ? rheometer::flips(cell) : 0;
+  flipxy = flow == Rheometer_NS::SHEAR ? Rheometer_NS::flips(cell) : 0;
   flipxz = flipyz = 0;
   flip = flipxy != 0;
   if (flip) {
@@ -273,7 +272,7 @@ void FixDeformRheometer::end_of_step()
   measure_stress();
   pair_virial->addstep(update->ntimestep + nevery);
   if (!stepped) return;
-  rheometer::add(*averages, measured_pressure, measured_stress, rate * moved, moved);
+  Rheometer_NS::add(*averages, measured_pressure, measured_stress, rate * moved, moved);
 
   if (has_variables()) modify->clearstep_compute();
   update_targets();
@@ -303,12 +302,13 @@ double FixDeformRheometer::interval() const
 
 void FixDeformRheometer::set_gradient()
 {
-  const Gradient next = rheometer::gradient(static_cast<rheometer::Flow>(flow), domain->dimension,
-                                            rate, dilation, interval());
-  const Gradient k = rheometer::change(*gradient, next, moved);
+  const Gradient next = Rheometer_NS::gradient(static_cast<Rheometer_NS::Flow>(flow),
+                                               domain->dimension, rate, dilation, interval());
+  const Gradient k = Rheometer_NS::change(*gradient, next, moved);
   const double spin = -0.5 * (next.xy - gradient->xy);
   *gradient = next;
-  *cell_rate = rheometer::cell_rate(next, {domain->xprd, domain->yprd, domain->zprd, domain->xy});
+  *cell_rate =
+      Rheometer_NS::cell_rate(next, {domain->xprd, domain->yprd, domain->zprd, domain->xy});
   moved = 0.0;
   publish_rates();
   if (k.xx == 0.0 && k.yy == 0.0 && k.zz == 0.0 && k.xy == 0.0) return;

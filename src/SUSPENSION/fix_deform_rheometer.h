@@ -18,19 +18,19 @@ FixStyle(deform/rheometer,FixDeformRheometer);
 
 #include "fix_deform.h"
 
-#include "rheometer_target.h"
+#include "suspension_input.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 struct Cell;
 struct Gradient;
 struct Material;
 struct StrainMeans;
 struct Watch;
-}    // namespace rheometer
+}    // namespace LAMMPS_NS::Rheometer_NS
 
 namespace LAMMPS_NS {
 
@@ -73,7 +73,7 @@ class FixDeformRheometer : public FixDeform {
   };
   Imposed imposed() const;
   std::string settings_text() const;
-  const rheometer::StrainMeans &means() const { return *averages; }
+  const Rheometer_NS::StrainMeans &means() const { return *averages; }
 
  protected:
   FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);
@@ -81,37 +81,39 @@ class FixDeformRheometer : public FixDeform {
   enum Drive { NONE_YET, RATE, IV, STRESS, OSCILLATE };
   enum Confinement { OPEN, PRESSURE, VOLUME };
 
-  int flow;    // rheometer::Flow
+  int flow;    // Rheometer_NS::Flow
   Drive drive;
-  RheometerTarget driven;    // rate, viscous number or stress; mean rate of an oscillation
-  RheometerTarget amplitude, frequency;    // of an oscillation
+  Suspension_NS::InputNumber
+      driven;    // rate, viscous number or stress; mean rate of an oscillation
+  Suspension_NS::InputNumber amplitude, frequency;    // of an oscillation
   Confinement confinement;
-  RheometerTarget pressure;
-  RheometerTarget viscosity;    // of the fluid
+  Suspension_NS::InputNumber pressure;
+  Suspension_NS::InputNumber viscosity;    // of the fluid
   bool viscosity_given;
   const double *pair_viscosity;    // that of the pair style, if not given
   double gain;
 
   // state, in the restart file
   double strain, path, time, rate, dilation;
-  std::unique_ptr<rheometer::Gradient> gradient;    // since the flow was last adjusted
-  std::unique_ptr<rheometer::Cell> cell_rate;    // and the change of the cell per time since then
-  double moved;                                  // time since then
-  std::unique_ptr<rheometer::Watch> watch_pressure, watch_stress, watch_rate;
-  std::unique_ptr<rheometer::StrainMeans> averages;    // of pressure and stress
+  std::unique_ptr<Rheometer_NS::Gradient> gradient;    // since the flow was last adjusted
+  std::unique_ptr<Rheometer_NS::Cell>
+      cell_rate;    // and the change of the cell per time since then
+  double moved;     // time since then
+  std::unique_ptr<Rheometer_NS::Watch> watch_pressure, watch_stress, watch_rate;
+  std::unique_ptr<Rheometer_NS::StrainMeans> averages;    // of pressure and stress
 
   double measured_pressure, measured_stress;    // of the particles, when last adjusted
-  int state;                                    // rheometer::State
+  int state;                                    // Rheometer_NS::State
   bool fresh;                                   // the targets are new
   bool stepped;    // the cell has moved in this run; it does not in a rerun
   bool warned, warned_every;
   static constexpr int NUM_PARTICLES = 4;
   double particles[NUM_PARTICLES];    // sums of volume, mass, radius, number
-  std::unique_ptr<rheometer::Material> material;
+  std::unique_ptr<Rheometer_NS::Material> material;
   class Compute *pair_virial;
   std::string virial_id;
-  std::unique_ptr<ListKeeper> keeper;         // of the neighbor lists
-  std::unique_ptr<rheometer::Cell> listed;    // cell when they were made
+  std::unique_ptr<ListKeeper> keeper;            // of the neighbor lists
+  std::unique_ptr<Rheometer_NS::Cell> listed;    // cell when they were made
   double **held;        // positions before LAMMPS converts them to lamda coordinates and back
   bool from_restart;    // held comes from the restart file
 
@@ -125,7 +127,7 @@ class FixDeformRheometer : public FixDeform {
   bool has_variables() const;
   void update_targets();
   void check_cell() const;
-  void check_move(const rheometer::Cell &, const rheometer::Cell &) const;
+  void check_move(const Rheometer_NS::Cell &, const Rheometer_NS::Cell &) const;
   void restore_positions();
   void find_viscosity();
   void add_particle(int, bool, double *) const;
@@ -139,7 +141,7 @@ class FixDeformRheometer : public FixDeform {
   double interval() const;
   void set_gradient();
   void start_list();
-  void keep_list(const rheometer::Cell &);
+  void keep_list(const Rheometer_NS::Cell &);
   void publish_rates();
 };
 

@@ -14,11 +14,12 @@
 #include "error.h"
 #include "list_keeper.h"
 #include "memory.h"
-#include "missing_argument.h"
 #include "modify.h"
 #include "rheometer_flow.h"
 #include "rheometer_mean.h"
 #include "rheometer_servo.h"
+#include "suspension_host.h"
+#include "suspension_input.h"
 #include "update.h"
 
 #include <cmath>
@@ -27,7 +28,7 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr int VECTOR_SIZE = 10 + rheometer::MEAN_OUTPUTS;
+static constexpr int VECTOR_SIZE = 10 + Rheometer_NS::MEAN_OUTPUTS;
 static constexpr int EVERY = 8;    // steps: far below the lag of the servos
 
 /* ----------------------------------------------------------------------
@@ -36,8 +37,8 @@ static constexpr int EVERY = 8;    // steps: far below the lag of the servos
 
 static std::vector<char *> parent_args(LAMMPS *lmp, int narg, char **arg)
 {
-  require_words(FLERR, lmp->error, "fix deform/rheometer", narg + 1,
-                "fix ID group deform/rheometer rate|iv|stress|oscillate ...");
+  Suspension_NS::require_words(FLERR, lmp->error, "fix deform/rheometer", narg + 1,
+                               "fix ID group deform/rheometer rate|iv|stress|oscillate ...");
   std::string flow = "shear";
   for (int iarg = 3; iarg + 1 < narg; iarg++)
     if (strcmp(arg[iarg], "flow") == 0) flow = arg[iarg + 1];
@@ -72,18 +73,17 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg) :
 FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
                                        std::vector<char *> args) :
     FixDeform(lmp, static_cast<int>(args.size()), args.data()),
-    flow(rheometer::SHEAR), drive(NONE_YET), confinement(OPEN), viscosity_given(false),
+    flow(Rheometer_NS::SHEAR), drive(NONE_YET), confinement(OPEN), viscosity_given(false),
     pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0), rate(0.0), dilation(0.0),
-    gradient(new rheometer::Gradient()), cell_rate(new rheometer::Cell()), moved(0.0),
-    watch_pressure(new rheometer::Watch()), watch_stress(new rheometer::Watch()),
-    watch_rate(new rheometer::Watch()), averages(new rheometer::StrainMeans()),
-    measured_pressure(0.0), measured_stress(0.0), state(rheometer::IDLE), fresh(true),
+    gradient(new Rheometer_NS::Gradient()), cell_rate(new Rheometer_NS::Cell()), moved(0.0),
+    watch_pressure(new Rheometer_NS::Watch()), watch_stress(new Rheometer_NS::Watch()),
+    watch_rate(new Rheometer_NS::Watch()), averages(new Rheometer_NS::StrainMeans()),
+    measured_pressure(0.0), measured_stress(0.0), state(Rheometer_NS::IDLE), fresh(true),
     stepped(false), warned(false), warned_every(false), particles(),
-    material(new rheometer::Material()), pair_virial(nullptr), keeper(new ListKeeper(lmp, this)),
-    listed(new rheometer::Cell()), held(nullptr), from_restart(false)
+    material(new Rheometer_NS::Material()), pair_virial(nullptr), keeper(new ListKeeper(lmp, this)),
+    listed(new Rheometer_NS::Cell()), held(nullptr), from_restart(false)
 {
-  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
-    error->all(FLERR, "Fix {} needs finite-size spheres; use: atom_style sphere", style);
+  Suspension_NS::require_spheres(lmp, "Fix deform/rheometer");
   vector_flag = 1;
   size_vector = VECTOR_SIZE;
   extvector = 0;
@@ -125,8 +125,8 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
 
   // the particles are taken to follow this flow already
   rate = start;
-  *gradient = rheometer::gradient(static_cast<rheometer::Flow>(flow), domain->dimension, start, 0.0,
-                                  update->dt);
+  *gradient = Rheometer_NS::gradient(static_cast<Rheometer_NS::Flow>(flow), domain->dimension,
+                                     start, 0.0, update->dt);
   virial_id = std::string(id) + "_virial";
   pair_virial = modify->add_compute(virial_id + " all pressure NULL pair");
   atom->add_callback(Atom::GROW);
@@ -150,12 +150,12 @@ FixDeformRheometer::~FixDeformRheometer()
 
 int FixDeformRheometer::parse_flow(int iarg, const char *word) const
 {
-  if (strcmp(word, "shear") == 0) return rheometer::SHEAR;
-  if (strcmp(word, "planar") == 0) return rheometer::PLANAR;
+  if (strcmp(word, "shear") == 0) return Rheometer_NS::SHEAR;
+  if (strcmp(word, "planar") == 0) return Rheometer_NS::PLANAR;
   if (strcmp(word, "uniaxial") == 0) {
     if (domain->dimension == 2)
       error->all(FLERR, iarg, "Fix {}: no uniaxial flow in 2d; use planar", style);
-    return rheometer::UNIAXIAL;
+    return Rheometer_NS::UNIAXIAL;
   }
   error->all(FLERR, iarg, "Fix {} flow must be shear, planar or uniaxial, but is {}", style, word);
   return 0;
@@ -166,7 +166,7 @@ int FixDeformRheometer::parse_flow(int iarg, const char *word) const
 void FixDeformRheometer::check_directions() const
 {
   const int *periodic = domain->periodicity;
-  const bool z = flow == rheometer::SHEAR || domain->dimension == 2 || periodic[2];
+  const bool z = flow == Rheometer_NS::SHEAR || domain->dimension == 2 || periodic[2];
   if (!periodic[0] || !periodic[1] || !z)
     error->all(FLERR,
                "Fix {} needs a cell that is periodic in the directions of the flow; for walls see "
@@ -191,7 +191,7 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
                  key);
     confinement = to;
   };
-  auto positive = [&](const RheometerTarget &target, bool zero) {
+  auto positive = [&](const Suspension_NS::InputNumber &target, bool zero) {
     if (target.is_number() && !(zero ? target.value >= 0.0 : target.value > 0.0))
       error->all(FLERR, pointer ? iarg + 1 : where, "Fix {} {} must be {} 0, but is {}", style, key,
                  zero ? ">=" : ">", arg[iarg + 1]);
@@ -219,14 +219,14 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
               iarg, narg);
   if (key == "pressure") {
     set_confinement(PRESSURE);
-    pressure = RheometerTarget(lmp, arg[iarg + 1]);
+    pressure = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
     positive(pressure, false);
   } else if (key == "viscosity") {
-    viscosity = RheometerTarget(lmp, arg[iarg + 1]);
+    viscosity = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
     viscosity_given = true;
     positive(viscosity, true);
   } else {
-    RheometerTarget number;
+    Suspension_NS::InputNumber number;
     number.value = gain = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     positive(number, false);
   }
@@ -258,13 +258,13 @@ int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer
                   : key == "iv"   ? "iv v"
                                   : "stress s",
               iarg, narg);
-  driven = RheometerTarget(lmp, arg[iarg + 1]);
+  driven = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
   drive = key == "rate" ? RATE : key == "iv" ? IV : key == "stress" ? STRESS : OSCILLATE;
-  amplitude = frequency = RheometerTarget();
+  amplitude = frequency = Suspension_NS::InputNumber();
   if (drive != OSCILLATE) return iarg + 2;
   time = 0.0;    // of the oscillation
-  amplitude = RheometerTarget(lmp, arg[iarg + 2]);
-  frequency = RheometerTarget(lmp, arg[iarg + 3]);
+  amplitude = Suspension_NS::InputNumber(lmp, arg[iarg + 2]);
+  frequency = Suspension_NS::InputNumber(lmp, arg[iarg + 3]);
   return iarg + 4;
 }
 
@@ -272,7 +272,7 @@ int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer
 
 void FixDeformRheometer::need_values(const char *usage, int iarg, int narg) const
 {
-  require_words(FLERR, error, std::string("fix ") + style, narg - iarg, usage);
+  Suspension_NS::require_words(FLERR, error, std::string("fix ") + style, narg - iarg, usage);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -291,7 +291,8 @@ void FixDeformRheometer::check_variables() const
 
 bool FixDeformRheometer::has_variables() const
 {
-  for (const RheometerTarget *target : {&driven, &amplitude, &frequency, &pressure, &viscosity})
+  for (const Suspension_NS::InputNumber *target :
+       {&driven, &amplitude, &frequency, &pressure, &viscosity})
     if (!target->is_number()) return true;
   return false;
 }
@@ -304,9 +305,9 @@ int FixDeformRheometer::modify_param(int narg, char **arg)
 {
   const int next = parse(0, narg, arg, false);
   check_variables();    // a run with "pre no" does not
-  *watch_pressure = rheometer::Watch();
-  *watch_stress = rheometer::Watch();
-  *watch_rate = rheometer::Watch();
+  *watch_pressure = Rheometer_NS::Watch();
+  *watch_stress = Rheometer_NS::Watch();
+  *watch_rate = Rheometer_NS::Watch();
   fresh = true;
   warned = false;
   return next;
@@ -318,7 +319,7 @@ int FixDeformRheometer::modify_param(int narg, char **arg)
 
 FixDeformRheometer::Imposed FixDeformRheometer::imposed() const
 {
-  const bool steady = flow == rheometer::SHEAR && drive != OSCILLATE;
+  const bool steady = flow == Rheometer_NS::SHEAR && drive != OSCILLATE;
   Imposed now = {NAN, NAN, NAN, steady, drive == RATE, confinement == PRESSURE};
   if (drive == IV && driven.value != 0.0)
     now.iv = driven.value;

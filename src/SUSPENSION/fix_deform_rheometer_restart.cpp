@@ -30,7 +30,7 @@ enum { SIZE, FLOW, DRIVE, DRIVEN, AMPLITUDE, FREQUENCY, CONFINEMENT, PRESSED, FR
        P_MEAN, P_AGE, S_MEAN, S_AGE, R_MEAN, R_AGE, PARTICLES };
 // clang-format on
 static constexpr int MEANS = PARTICLES + 4;
-static constexpr int SEAL = MEANS + sizeof(rheometer::StrainMeans) / sizeof(double);
+static constexpr int SEAL = MEANS + sizeof(Rheometer_NS::StrainMeans) / sizeof(double);
 static constexpr int RESTART_SIZE = SEAL + 1;
 static constexpr int PERATOM_RESTART = 4;    // this size, position
 
@@ -73,7 +73,7 @@ void FixDeformRheometer::write_restart(FILE *fp)
                               particles[2],
                               particles[3]};
   memcpy(buf + MEANS, averages.get(), sizeof(*averages));
-  buf[SEAL] = suspension::seal(buf, SEAL * sizeof(double));
+  buf[SEAL] = Suspension_NS::seal(buf, SEAL * sizeof(double));
   const int size = sizeof(buf);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(buf, 1, size, fp);
@@ -88,7 +88,7 @@ void FixDeformRheometer::restart(char *buf)
   if (from[SIZE] != RESTART_SIZE)
     error->all(FLERR, "Fix {} cannot read the restart file of another version of it", style);
   memcpy(from, buf, sizeof(from));
-  if (suspension::seal(from, SEAL * sizeof(double)) != from[SEAL])
+  if (Suspension_NS::seal(from, SEAL * sizeof(double)) != from[SEAL])
     error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
   if (from[FLOW] != flow)
     error->all(FLERR, "Fix {} cannot go on from a restart file with another flow", style);
@@ -162,7 +162,7 @@ int FixDeformRheometer::pack_restart(int i, double *buf)
 
 void FixDeformRheometer::unpack_restart(int nlocal, int nth)
 {
-  const double *extra = suspension::part_of_atom(atom->extra[nlocal], nth, atom->nextra_store);
+  const double *extra = Suspension_NS::part_of_atom(atom->extra[nlocal], nth, atom->nextra_store);
   if (!extra)
     error->one(FLERR, "The data of atom {} in the restart file are damaged: use another one",
                atom->tag[nlocal]);

@@ -12,29 +12,24 @@
 #include "fix_deform_rheometer.h"
 
 #include "atom.h"
-#include "background_fluid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
-#include "math_const.h"
 #include "pair.h"
 #include "rheometer_flow.h"
 #include "rheometer_mean.h"
 #include "rheometer_servo.h"
+#include "suspension_host.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using rheometer::Gradient;
-using rheometer::Stress;
-
-using MathConst::MY_PI;
-
-static constexpr double ROUNDING = 1e-12;    // of a sum over particles
+using Rheometer_NS::Gradient;
+using Rheometer_NS::Stress;
 
 /* ----------------------------------------------------------------------
    viscosity of pair style lubcontact, alone or of all of its kind under hybrid
@@ -42,14 +37,15 @@ static constexpr double ROUNDING = 1e-12;    // of a sum over particles
 
 void FixDeformRheometer::find_viscosity()
 {
-  pair_viscosity = viscosity_of_pair(lmp);
+  pair_viscosity = Suspension_NS::viscosity_of_pair(lmp);
   if (pair_viscosity) return;
   const bool needed = drive == IV || drive == STRESS || confinement == PRESSURE;
-  const bool several = all_lubcontact(lmp).size() > 1;
-  if (find_lubcontact(lmp) && (needed || !several))
+  const std::size_t styles = Suspension_NS::all_lubcontact(lmp).size();
+  const bool several = styles > 1;
+  if (styles && (needed || !several))
     error->all(FLERR,
                "Fix {} cannot take the viscosity of the pair style, {}; give it: viscosity {}",
-               style, why_no_viscosity(lmp), several ? "eta" : "v_name");
+               style, Suspension_NS::why_no_viscosity(lmp), several ? "eta" : "v_name");
   if (needed)
     error->all(FLERR, "Fix {} needs the viscosity of the fluid; add: viscosity eta (0 if dry)",
                style);
@@ -63,7 +59,7 @@ void FixDeformRheometer::find_viscosity()
 void FixDeformRheometer::add_particle(int i, bool massless, double *sum) const
 {
   const double r = atom->radius[i];
-  sum[0] += domain->dimension == 3 ? 4.0 / 3.0 * MY_PI * r * r * r : MY_PI * r * r;
+  sum[0] += Suspension_NS::particle_volume(domain, r);
   if (!massless) sum[1] += atom->rmass[i];
   sum[2] += r;
   sum[3] += 1.0;
@@ -76,7 +72,7 @@ void FixDeformRheometer::take_particles(const double *all)
                particles[0] > 0.0 ? "Lost atoms: there are " : "", update->ntimestep);
   bool same = true;
   for (int n = 0; n < NUM_PARTICLES; n++)
-    if (fabs(all[n] - particles[n]) > ROUNDING * all[n]) same = false;
+    if (!Suspension_NS::is_same_sum(particles[n], all[n])) same = false;
   if (!same) std::copy_n(all, NUM_PARTICLES, particles);
   material->density = particles[1] / particles[0] * force->mvv2e * force->nktv2p;
   material->diameter = 2.0 * particles[2] / particles[3];
@@ -86,7 +82,7 @@ void FixDeformRheometer::take_particles(const double *all)
 void FixDeformRheometer::measure_particles()
 {
   double mine[NUM_PARTICLES] = {}, all[NUM_PARTICLES];
-  const int massless = overdamped_groups(lmp);
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit) add_particle(i, atom->mask[i] & massless, mine);
   MPI_Allreduce(mine, all, NUM_PARTICLES, MPI_DOUBLE, MPI_SUM, world);
@@ -104,14 +100,14 @@ void FixDeformRheometer::measure_stress()
   struct Sums {
     double pairs[4] = {};    // xx yy zz xy
     double particles[NUM_PARTICLES] = {};
-    lubcontact::Inertia inertia;
+    Lubcontact_NS::Inertia inertia;
   } mine, all;
   // what has become of the flow, whose particles move at a constant velocity
-  const Gradient g = rheometer::at_end(*gradient, moved);
+  const Gradient g = Rheometer_NS::at_end(*gradient, moved);
   const double lo[3] = {domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]};
   const int nlocal = atom->nlocal;
   const int *mask = atom->mask;
-  const int massless = overdamped_groups(lmp);
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
   for (int i = 0; i < nlocal; i++) {
     if (!(mask[i] & groupbit)) continue;
     add_particle(i, mask[i] & massless, mine.particles);
@@ -126,23 +122,23 @@ void FixDeformRheometer::measure_stress()
   MPI_Allreduce(mine.pairs, all.pairs, sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
   take_particles(all.particles);
 
-  double size = domain->xprd * domain->yprd;
-  if (domain->dimension == 3) size *= domain->zprd;
+  const double size = Suspension_NS::cell_volume(domain);
   const double scale = -force->nktv2p / size, unit = force->mvv2e;
-  const lubcontact::Fluctuation k = lubcontact::fluctuation(all.inertia);
+  const Lubcontact_NS::Fluctuation k = Lubcontact_NS::fluctuation(all.inertia);
   const Stress stress = {scale * (all.pairs[0] + unit * k.xx), scale * (all.pairs[1] + unit * k.yy),
                          scale * (all.pairs[2] + unit * k.zz),
                          scale * (all.pairs[3] + unit * k.xy)};
-  const auto f = static_cast<rheometer::Flow>(flow);
-  measured_pressure = rheometer::pressure(f, domain->dimension, stress);
-  measured_stress = rheometer::driving_stress(f, stress);
+  const auto f = static_cast<Rheometer_NS::Flow>(flow);
+  measured_pressure = Rheometer_NS::pressure(f, domain->dimension, stress);
+  measured_stress = Rheometer_NS::driving_stress(f, stress);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixDeformRheometer::update_targets()
 {
-  for (RheometerTarget *target : {&driven, &amplitude, &frequency, &pressure, &viscosity})
+  for (Suspension_NS::InputNumber *target :
+       {&driven, &amplitude, &frequency, &pressure, &viscosity})
     target->evaluate(lmp);
   if (!viscosity_given && pair_viscosity) viscosity.value = *pair_viscosity;
 
@@ -168,12 +164,12 @@ double FixDeformRheometer::next_rate() const
     case IV:
       return driven.value * pressure.value / material->eta;
     case OSCILLATE:
-      return rheometer::oscillation_rate(driven.value, amplitude.value, frequency.value, time,
-                                         interval());
+      return Rheometer_NS::oscillation_rate(driven.value, amplitude.value, frequency.value, time,
+                                            interval());
     case STRESS:
-      return rheometer::next_rate(*material, rate, measured_stress, driven.value,
-                                  rheometer::trouton_ratio(static_cast<rheometer::Flow>(flow)),
-                                  interval());
+      return Rheometer_NS::next_rate(
+          *material, rate, measured_stress, driven.value,
+          Rheometer_NS::trouton_ratio(static_cast<Rheometer_NS::Flow>(flow)), interval());
     default:
       return driven.value;
   }
@@ -184,8 +180,8 @@ double FixDeformRheometer::next_rate() const
 double FixDeformRheometer::next_dilation() const
 {
   if (confinement == VOLUME) return 0.0;
-  return rheometer::next_dilation(*material, dilation, measured_pressure, pressure.value, rate,
-                                  gain, interval());
+  return Rheometer_NS::next_dilation(*material, dilation, measured_pressure, pressure.value, rate,
+                                     gain, interval());
 }
 
 /* ----------------------------------------------------------------------
@@ -194,7 +190,7 @@ double FixDeformRheometer::next_dilation() const
 
 void FixDeformRheometer::judge()
 {
-  using namespace rheometer;
+  using namespace Rheometer_NS;
   state = IDLE;
   if (!warned_every && (confinement == PRESSURE || drive == STRESS) &&
       fabs(rate) * interval() > 0.5 * LAG) {
@@ -229,7 +225,7 @@ void FixDeformRheometer::judge()
 
 void FixDeformRheometer::judge_stress()
 {
-  using namespace rheometer;
+  using namespace Rheometer_NS;
   const double target = driven.value;
   const double creep = STRESS_FLOOR * rearrangement_rate(*material, target);
   if (state == IDLE) state = FOLLOWING;
@@ -265,8 +261,7 @@ void FixDeformRheometer::judge_stress()
 
 double FixDeformRheometer::compute_vector(int n)
 {
-  double size = domain->xprd * domain->yprd;
-  if (domain->dimension == 3) size *= domain->zprd;
+  const double size = Suspension_NS::cell_volume(domain);
   const double values[] = {strain,
                            rate,
                            particles[0] / size,
@@ -279,5 +274,5 @@ double FixDeformRheometer::compute_vector(int n)
                            static_cast<double>(state)};
   const int size_now = sizeof(values) / sizeof(double);
   if (n < size_now) return values[n];
-  return rheometer::mean_output(*averages, n - size_now, measured_pressure, measured_stress);
+  return Rheometer_NS::mean_output(*averages, n - size_now, measured_pressure, measured_stress);
 }

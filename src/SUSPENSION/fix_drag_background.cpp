@@ -23,7 +23,7 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using lubcontact::Vec3;
+using Lubcontact_NS::Vec3;
 
 // fixes that may come later: they read forces, or set them whatever they were
 static const char *const READERS[] = {"enforce2d", "setforce", "freeze", "store/force",
@@ -156,9 +156,9 @@ void FixDragBackground::drag_all(bool full)
   // damps what acts on v; returns the mean drag, and adds what it takes from the particle
   auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &fluid_v, double *f) {
     const double x = coefficient * dt / mass;
-    const double mean = full ? lubcontact::mean_drag_full(x) : lubcontact::mean_drag(x);
+    const double mean = full ? Lubcontact_NS::mean_drag_full(x) : Lubcontact_NS::mean_drag(x);
     const Vec3 others = vector(f);
-    const Vec3 all = lubcontact::damped(mean, coefficient, others, v, fluid_v);
+    const Vec3 all = Lubcontact_NS::damped(mean, coefficient, others, v, fluid_v);
     const Vec3 now = full ? v : v + (0.5 * dt / mass) * all;    // at the full step
     put(all, f);
     const Vec3 mine = all - others;
@@ -169,9 +169,9 @@ void FixDragBackground::drag_all(bool full)
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     fluid->own.check(atom->mask[i]);
-    const lubcontact::Drag drag = fluid->drag(i);
+    const Lubcontact_NS::Drag drag = fluid->drag(i);
     if (drag.translation == 0.0) continue;
-    const lubcontact::Flow flow = fluid->flow(i);
+    const Lubcontact_NS::Flow flow = fluid->flow(i);
     add(damp(drag.translation, atom->rmass[i], vector(atom->v[i]), flow.velocity, atom->f[i]),
         &sums[FORCE]);
     add(damp(drag.rotation, inertia.of(atom, i), vector(atom->omega[i]), flow.spin,
@@ -211,13 +211,13 @@ double FixDragBackground::compute_vector(int n)
 void FixDragBackground::write_restart(FILE *fp)
 {
   const Saved now = {compute_scalar(), fluid->solid};
-  if (comm->me == 0) suspension::write_sealed(fp, now);
+  if (comm->me == 0) Suspension_NS::write_sealed(fp, now);
 }
 
 void FixDragBackground::restart(char *buffer)
 {
   Saved from;
-  if (const char *wrong = suspension::read_sealed(buffer, from))
+  if (const char *wrong = Suspension_NS::read_sealed(buffer, from))
     error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
   energy = comm->me ? 0.0 : from.energy;
   fluid->solid = from.solid;

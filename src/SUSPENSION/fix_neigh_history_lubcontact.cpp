@@ -310,7 +310,7 @@ int FixNeighHistoryLubcontact::pack_restart(int i, double *buffer)
   buffer[n] = ubuf(owner[i].id).d;
   buffer[n + 1] = owner[i].radius;
   buffer[n + 2] = layout;
-  buffer[n + 3] = suspension::seal(buffer, sizeof(double) * (n + 3));
+  buffer[n + 3] = Suspension_NS::seal(buffer, sizeof(double) * (n + 3));
   return n + EXTRA;
 }
 
@@ -345,13 +345,13 @@ void FixNeighHistoryLubcontact::take_restart(const std::vector<std::vector<doubl
 
 void FixNeighHistoryLubcontact::record(int i, const double *row)
 {
-  const double *mine = suspension::part_of_atom(row, part, atom->nextra_store);
+  const double *mine = Suspension_NS::part_of_atom(row, part, atom->nextra_store);
   const double length = mine ? mine[0] : 0.0;    // if damaged perhaps no integer
   const double expected = mine ? 2.0 + mine[1] * (1.0 + dnum) + EXTRA : 0.0;
   const int n = length == expected && length > 0.0 && length <= atom->nextra_store
       ? static_cast<int>(length)
       : 0;
-  if (n && suspension::seal(mine, sizeof(double) * (n - 1)) != mine[n - 1])
+  if (n && Suspension_NS::seal(mine, sizeof(double) * (n - 1)) != mine[n - 1])
     error->one(FLERR,
                "The pair history of atom {} in the restart file is damaged: use another restart "
                "file",

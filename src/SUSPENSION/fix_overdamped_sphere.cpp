@@ -24,9 +24,9 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using lubcontact::Drag;
-using lubcontact::Flow;
-using lubcontact::Vec3;
+using Lubcontact_NS::Drag;
+using Lubcontact_NS::Flow;
+using Lubcontact_NS::Vec3;
 
 static Vec3 vector(const double *a)
 {
@@ -128,15 +128,15 @@ void FixOverdampedSphere::find_limit()
 {
   limit = HUGE_VAL;
   std::vector<double> stiffness(atom->nlocal, 0.0), part;
-  for (PairLubcontact *pair : all_lubcontact(lmp)) {
-    pair->sum_stiffness_overdamped(lubcontact::SPIN_OF_DRAG, part);
+  for (PairLubcontact *pair : PairLubcontact::all(lmp)) {
+    pair->sum_stiffness_overdamped(Lubcontact_NS::SPIN_OF_DRAG, part);
     for (int i = 0; i < atom->nlocal; i++) stiffness[i] += part[i];
   }
   double mine = HUGE_VAL;
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & groupbit) && stiffness[i] > 0.0)
-      mine = std::min(mine,
-                      lubcontact::overdamped_step_limit(stiffness[i], fluid->drag(i).translation));
+      mine = std::min(
+          mine, Lubcontact_NS::overdamped_step_limit(stiffness[i], fluid->drag(i).translation));
   MPI_Allreduce(&mine, &limit, 1, MPI_DOUBLE, MPI_MIN, world);
   if (comm->me == 0 && limit < HUGE_VAL)
     utils::logmesg(
@@ -171,8 +171,8 @@ void FixOverdampedSphere::initial_integrate(int /*vflag*/)
     check_particle(i, drag);
     const Flow flow = fluid->flow(i);
     const Vec3 force = vector(atom->f[i]), torque = vector(atom->torque[i]);
-    const Vec3 v = lubcontact::overdamped(drag.translation, force, flow.velocity);
-    const Vec3 omega = lubcontact::overdamped(drag.rotation, torque, flow.spin);
+    const Vec3 v = Lubcontact_NS::overdamped(drag.translation, force, flow.velocity);
+    const Vec3 omega = Lubcontact_NS::overdamped(drag.rotation, torque, flow.spin);
     put(v, atom->v[i]);
     put(omega, atom->omega[i]);
     put(vector(atom->x[i]) + dt * v, atom->x[i]);
@@ -203,12 +203,12 @@ double FixOverdampedSphere::compute_vector(int n)
 
 void FixOverdampedSphere::write_restart(FILE *fp)
 {
-  if (comm->me == 0) suspension::write_sealed(fp, fluid->solid);
+  if (comm->me == 0) Suspension_NS::write_sealed(fp, fluid->solid);
 }
 
 void FixOverdampedSphere::restart(char *buffer)
 {
-  if (const char *wrong = suspension::read_sealed(buffer, fluid->solid))
+  if (const char *wrong = Suspension_NS::read_sealed(buffer, fluid->solid))
     error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
 }
 

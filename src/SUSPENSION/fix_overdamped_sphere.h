@@ -20,7 +20,7 @@ FixStyle(overdamped/sphere,FixOverdampedSphere);
 
 #include <memory>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 struct Drag;
 }
 
@@ -52,7 +52,7 @@ class FixOverdampedSphere : public Fix {
   bool warned;              // of the limit, in this run
 
   void check_others();
-  void check_particle(int, const lubcontact::Drag &) const;
+  void check_particle(int, const Lubcontact_NS::Drag &) const;
   void find_limit();
 };
 

@@ -12,7 +12,6 @@
 #include "fix_rheometer_plates.h"
 
 #include "atom.h"
-#include "background_fluid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -32,8 +31,8 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using rheometer::LOWER;
-using rheometer::UPPER;
+using Rheometer_NS::LOWER;
+using Rheometer_NS::UPPER;
 
 /* ---------------------------------------------------------------------- */
 
@@ -84,15 +83,16 @@ double FixRheometerPlates::moving_mass() const
   return (mass > 0.0 ? mass : state.plate_mass) / force->ftm2v;
 }
 
-rheometer::Material FixRheometerPlates::material() const
+Rheometer_NS::Material FixRheometerPlates::material() const
 {
   const double rho = state.density / force->ftm2v;
   return {viscosity.value, rho, state.diameter, rho * state.diameter * state.gap};
 }
 
-rheometer::WallStress FixRheometerPlates::stress_on(int plate) const
+Rheometer_NS::WallStress FixRheometerPlates::stress_on(int plate) const
 {
-  return rheometer::wall_stress(static_cast<rheometer::Plate>(plate), force_on[plate], area());
+  return Rheometer_NS::wall_stress(static_cast<Rheometer_NS::Plate>(plate), force_on[plate],
+                                   area());
 }
 
 /* ----------------------------------------------------------------------
@@ -103,7 +103,7 @@ void FixRheometerPlates::evaluate_targets()
 {
   modify->clearstep_compute();
   bool any = false;
-  for (RheometerTarget *target : {&target_x, &amplitude, &target_y, &viscosity})
+  for (Suspension_NS::InputNumber *target : {&target_x, &amplitude, &target_y, &viscosity})
     if (target->evaluate(lmp)) any = true;
   if (any) modify->addstep_compute(update->ntimestep + 1);
   if (!own_viscosity) viscosity.value = pair_eta ? *pair_eta : 0.0;
@@ -115,13 +115,13 @@ void FixRheometerPlates::evaluate_targets()
 void FixRheometerPlates::half_kick_x(double dt)
 {
   const double push = target_x.value / force->nktv2p * area() + force_on[UPPER][0];
-  state.vx = rheometer::damped_velocity(state.vx, push, moving_mass(), damper_x, 0.5 * dt);
+  state.vx = Rheometer_NS::damped_velocity(state.vx, push, moving_mass(), damper_x, 0.5 * dt);
 }
 
 void FixRheometerPlates::half_kick_y(double dt)
 {
   const double push = force_on[UPPER][1] - target_y.value / force->nktv2p * area();
-  state.vy = rheometer::damped_velocity(state.vy, push, moving_mass(), damper_y, 0.5 * dt);
+  state.vy = Rheometer_NS::damped_velocity(state.vy, push, moving_mass(), damper_y, 0.5 * dt);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -133,9 +133,10 @@ void FixRheometerPlates::move_y(double dt)
   } else if (load == LOAD) {
     half_kick_y(dt);
   } else {
-    state.dilation = rheometer::next_dilation(material(), state.dilation, stress_on(UPPER).pressure,
-                                              target_y.value / force->nktv2p, state.rate, gain, dt);
-    state.vy = rheometer::dilation_velocity(state.gap, state.dilation, dt);
+    state.dilation =
+        Rheometer_NS::next_dilation(material(), state.dilation, stress_on(UPPER).pressure,
+                                    target_y.value / force->nktv2p, state.rate, gain, dt);
+    state.vy = Rheometer_NS::dilation_velocity(state.gap, state.dilation, dt);
   }
 }
 
@@ -144,7 +145,8 @@ void FixRheometerPlates::move_y(double dt)
 double FixRheometerPlates::rate_of_drive(double dt)
 {
   if (drive == OSCILLATE)
-    return rheometer::oscillation_rate(target_x.value, amplitude.value, frequency, state.clock, dt);
+    return Rheometer_NS::oscillation_rate(target_x.value, amplitude.value, frequency, state.clock,
+                                          dt);
   if (drive == IV) return target_x.value * target_y.value / force->nktv2p / viscosity.value;
   return target_x.value;
 }
@@ -204,11 +206,11 @@ void FixRheometerPlates::pre_neighbor()
 void FixRheometerPlates::post_integrate()
 {
   if (!keeper->on) return;
-  rheometer::Deformation flow;
+  Rheometer_NS::Deformation flow;
   flow.yy = state.gap / listed.gap;
   flow.xy = listed.slid / listed.gap;
   const double origin[3] = {0.0, listed.bottom, 0.0};
-  if (!keeper->decide({flow, rheometer::Deformation()}, origin))
+  if (!keeper->decide({flow, Rheometer_NS::Deformation()}, origin))
     next_reneighbor = update->ntimestep;
 }
 
@@ -252,9 +254,9 @@ void FixRheometerPlates::final_integrate()
   if (drive == STRESS || load == LOAD) set_velocities();
   watch_targets(dt);
 
-  const rheometer::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
-  rheometer::add(state.means, 0.5 * (low.pressure + up.pressure), 0.5 * (low.xy + up.xy),
-                 state.rate * dt, dt);
+  const Rheometer_NS::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
+  Rheometer_NS::add(state.means, 0.5 * (low.pressure + up.pressure), 0.5 * (low.xy + up.xy),
+                    state.rate * dt, dt);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -266,12 +268,12 @@ void FixRheometerPlates::write_restart(FILE *fp)
   state.load = load;
   state.amplitude = amplitude.value;
   state.frequency = frequency;
-  suspension::write_sealed(fp, state);
+  Suspension_NS::write_sealed(fp, state);
 }
 
 void FixRheometerPlates::restart(char *buffer)
 {
-  if (const char *wrong = suspension::read_sealed(buffer, state))
+  if (const char *wrong = Suspension_NS::read_sealed(buffer, state))
     error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
 
   // another drive or load than in the run that wrote the file begins anew, as after fix_modify

@@ -20,15 +20,15 @@ FixStyle(rheometer/plates,FixRheometerPlates);
 
 #include "exclusive_particles.h"
 #include "rheometer_mean.h"
-#include "rheometer_target.h"
+#include "suspension_input.h"
 
 #include <memory>
 #include <string>
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 struct Material;
 struct WallStress;
-}    // namespace rheometer
+}    // namespace LAMMPS_NS::Rheometer_NS
 
 namespace LAMMPS_NS {
 
@@ -57,7 +57,7 @@ class FixRheometerPlates : public Fix {
   void restart(char *) override;
   void measure_surfaces(double &, double &) const;    // mean heights, lower and upper
   int plate_bits() const { return bit[0] | bit[1]; }
-  const rheometer::StrainMeans &means() const { return state.means; }
+  const Rheometer_NS::StrainMeans &means() const { return state.means; }
 
  protected:
   enum Drive { RATE, VELOCITY, STRESS, OSCILLATE, IV };    // along x
@@ -71,14 +71,14 @@ class FixRheometerPlates : public Fix {
   int igroup_plate[2], bit[2];    // and what they are in this run
   Drive drive;
   Load load;
-  RheometerTarget target_x;           // rate (g0 of oscillate), velocity, stress, or iv
-  RheometerTarget amplitude;          // g1 of oscillate, 1/time
-  double frequency;                   // w of oscillate, 1/time
-  RheometerTarget target_y;           // pressure of pressure and load
-  RheometerTarget viscosity;          // pressure*time
-  bool own_viscosity;                 // given here, not by the pair style
-  double mass;                        // of the moving plate; 0: that of its particles
-  double damper_x, damper_y, gain;    // force/velocity, and of the servo
+  Suspension_NS::InputNumber target_x;     // rate (g0 of oscillate), velocity, stress, or iv
+  Suspension_NS::InputNumber amplitude;    // g1 of oscillate, 1/time
+  double frequency;                        // w of oscillate, 1/time
+  Suspension_NS::InputNumber target_y;     // pressure of pressure and load
+  Suspension_NS::InputNumber viscosity;    // pressure*time
+  bool own_viscosity;                      // given here, not by the pair style
+  double mass;                             // of the moving plate; 0: that of its particles
+  double damper_x, damper_y, gain;         // force/velocity, and of the servo
 
   // what a restart file holds
   struct State {
@@ -90,11 +90,11 @@ class FixRheometerPlates : public Fix {
     double dilation = 0.0;    // of the servo, 1/time
     double deviation_x = 0.0, age_x = 0.0, warned_x = 0.0;
     double deviation_y = 0.0, age_y = 0.0, warned_y = 0.0;
-    double code_x = 0.0, code_y = 0.0;       // rheometer::State
+    double code_x = 0.0, code_y = 0.0;       // Rheometer_NS::State
     double solid = 0.0;                      // volume of the suspended particles
     double density = 0.0, diameter = 0.0;    // and their means
     double plate_mass = 0.0;                 // of the particles of the upper plate
-    rheometer::StrainMeans means;            // of the plates
+    Rheometer_NS::StrainMeans means;         // of the plates
   } state;
 
   // neighbor lists, and what the upper plate has moved since they were made
@@ -133,8 +133,8 @@ class FixRheometerPlates : public Fix {
   // motion
   double area() const;
   double moving_mass() const;
-  rheometer::Material material() const;
-  rheometer::WallStress stress_on(int) const;
+  Rheometer_NS::Material material() const;
+  Rheometer_NS::WallStress stress_on(int) const;
   void measure_gap();
   struct Sums;
   void add_particle(int, bool, double *) const;

@@ -21,22 +21,21 @@
 #include "neighbor.h"
 #include "pair.h"
 #include "rheometer_plate.h"
+#include "suspension_host.h"
 #include "update.h"
 
 #include <cmath>
 #include <vector>
 
 using namespace LAMMPS_NS;
-using rheometer::LOWER;
-using rheometer::UPPER;
+using Rheometer_NS::LOWER;
+using Rheometer_NS::UPPER;
 
 /* ---------------------------------------------------------------------- */
 
 void FixRheometerPlates::init()
 {
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR,
-               "Fix rheometer/plates does not work with run_style respa; use: run_style verlet");
+  Suspension_NS::require_verlet(lmp, "Fix rheometer/plates");
   for (int plate : {LOWER, UPPER}) find_plate(plate, Error::NOPOINTER);
   check_cell();
   check_groups();
@@ -62,14 +61,14 @@ void FixRheometerPlates::check_viscosity()
     viscosity.check(lmp, style, "viscosity");
     return;
   }
-  pair_eta = viscosity_of_pair(lmp);
-  const bool films = find_lubcontact(lmp) != nullptr;
+  pair_eta = Suspension_NS::viscosity_of_pair(lmp);
+  const bool films = !Suspension_NS::all_lubcontact(lmp).empty();
   if (!pair_eta && (drive == IV || (films && load != GAP)))
     error->all(
         FLERR,
         "Fix rheometer/plates does not find the viscosity of the fluid in the pair style: {}; "
         "add: viscosity eta",
-        why_no_viscosity(lmp));
+        Suspension_NS::why_no_viscosity(lmp));
 }
 
 /* ----------------------------------------------------------------------
@@ -229,7 +228,7 @@ void FixRheometerPlates::check_time_step() const
   }
   MPI_Allreduce(&mine[0], &number, 1, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(&mine[1], &stiffest, 1, MPI_DOUBLE, MPI_MAX, world);
-  const double limit = rheometer::plate_step_limit(moving_mass(), 2.0 * number * stiffest);
+  const double limit = Rheometer_NS::plate_step_limit(moving_mass(), 2.0 * number * stiffest);
   if (update->dt > limit && comm->me == 0)
     error->warning(FLERR,
                    "Time step {} exceeds {:.4g}, where a plate of mass {:.6g} becomes unstable if "

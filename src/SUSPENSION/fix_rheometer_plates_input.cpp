@@ -16,15 +16,16 @@
 #include "group.h"
 #include "input.h"
 #include "list_keeper.h"
-#include "missing_argument.h"
 #include "rheometer_plate.h"
+#include "suspension_host.h"
+#include "suspension_input.h"
 
 #include <cmath>
 #include <map>
 
 using namespace LAMMPS_NS;
-using rheometer::LOWER;
-using rheometer::UPPER;
+using Rheometer_NS::LOWER;
+using Rheometer_NS::UPPER;
 
 // values of each keyword
 static const std::map<std::string, std::string> KEYWORDS = {
@@ -50,10 +51,9 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
 {
   force_reneighbor = 1;
   next_reneighbor = -1;
-  require_words(FLERR, error, "fix rheometer/plates", narg + 1,
-                "fix ID group rheometer/plates lower upper ...");
-  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
-    error->all(FLERR, "Fix rheometer/plates needs finite-size spheres; use: atom_style sphere");
+  Suspension_NS::require_words(FLERR, error, "fix rheometer/plates", narg + 1,
+                               "fix ID group rheometer/plates lower upper ...");
+  Suspension_NS::require_spheres(lmp, "Fix rheometer/plates");
   for (int plate : {LOWER, UPPER}) {
     plate_name[plate] = arg[3 + plate];
     find_plate(plate, 3 + plate);
@@ -66,7 +66,7 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
   dynamic_group_allow = 1;
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 16 + rheometer::MEAN_OUTPUTS;
+  size_vector = 16 + Rheometer_NS::MEAN_OUTPUTS;
   global_freq = 1;
   extvector = 0;
 }
@@ -112,7 +112,8 @@ int FixRheometerPlates::parse(int narg, char **arg, int iarg)
     const std::string key = arg[iarg];
     const auto known = KEYWORDS.find(key);
     if (known == KEYWORDS.end()) break;
-    require_words(FLERR, error, "fix rheometer/plates", narg - iarg, key + " " + known->second);
+    Suspension_NS::require_words(FLERR, error, "fix rheometer/plates", narg - iarg,
+                                 key + " " + known->second);
     if (places.count(key))
       error->all(FLERR, place(arg, iarg), "Fix rheometer/plates {} is given twice", key);
     places[key] = iarg;
@@ -151,13 +152,13 @@ void FixRheometerPlates::start_load(bool same)
 void FixRheometerPlates::parse_drive(int n, char **arg, int iarg)
 {
   drive = static_cast<Drive>(n);
-  target_x = RheometerTarget(lmp, arg[iarg + 1]);
+  target_x = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
   start_drive();
   if (drive == IV && target_x.is_number() && target_x.value < 0.0)
     error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates iv must be >= 0, but is {}",
                arg[iarg + 1]);
   if (drive != OSCILLATE) return;
-  amplitude = RheometerTarget(lmp, arg[iarg + 2]);
+  amplitude = Suspension_NS::InputNumber(lmp, arg[iarg + 2]);
   frequency = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
   if (frequency <= 0.0)
     error->all(FLERR, place(arg, iarg + 3),
@@ -172,7 +173,7 @@ void FixRheometerPlates::parse_load(int n, char **arg, int iarg)
   load = static_cast<Load>(n);
   start_load(same);
   if (load == GAP) return;
-  target_y = RheometerTarget(lmp, arg[iarg + 1]);
+  target_y = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
   if (load == PRESSURE && target_y.is_number() && target_y.value <= 0.0)
     error->all(FLERR, place(arg, iarg + 1), "Fix rheometer/plates pressure must be > 0, but is {}",
                arg[iarg + 1]);
@@ -183,7 +184,7 @@ void FixRheometerPlates::parse_load(int n, char **arg, int iarg)
 void FixRheometerPlates::parse_number(const std::string &key, char **arg, int iarg)
 {
   if (key == "viscosity") {
-    viscosity = RheometerTarget(lmp, arg[iarg + 1]);
+    viscosity = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
     own_viscosity = true;
     if (viscosity.value < 0.0)
       error->all(FLERR, place(arg, iarg + 1),

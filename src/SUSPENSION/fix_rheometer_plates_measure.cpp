@@ -12,7 +12,6 @@
 #include "fix_rheometer_plates.h"
 
 #include "atom.h"
-#include "background_fluid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -20,14 +19,15 @@
 #include "group.h"
 #include "rheometer_plate.h"
 #include "rheometer_servo.h"
+#include "suspension_host.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using rheometer::LOWER;
-using rheometer::UPPER;
+using Rheometer_NS::LOWER;
+using Rheometer_NS::UPPER;
 
 /* ----------------------------------------------------------------------
    Sums over particles are measured at the start of a run, and kept if they are as before: another
@@ -91,7 +91,7 @@ void FixRheometerPlates::add_particle(int i, bool massless, double *sum) const
                "Fix rheometer/plates: particle {} of the plates has joined group {} of the "
                "suspended particles: a dynamic group must not take them",
                atom->tag[i], group->names[igroup]);
-  sum[VOLUME] += M_PI * r * r * (domain->dimension == 2 ? 1.0 : 4.0 / 3.0 * r);
+  sum[VOLUME] += Suspension_NS::particle_volume(domain, r);
   if (!massless) sum[MASS] += atom->rmass[i];
   sum[DIAMETER] += 2.0 * r;
   sum[NUMBER] += 1.0;
@@ -114,7 +114,7 @@ void FixRheometerPlates::take_particles(const double *all)
 void FixRheometerPlates::measure_particles()
 {
   double mine[NUM] = {}, all[NUM];
-  const int massless = overdamped_groups(lmp);
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
   for (int i = 0; i < atom->nlocal; i++) add_particle(i, atom->mask[i] & massless, mine);
   MPI_Allreduce(mine, all, NUM, MPI_DOUBLE, MPI_SUM, world);
   take_particles(all);
@@ -128,7 +128,7 @@ void FixRheometerPlates::measure_particles()
 void FixRheometerPlates::post_force(int /*vflag*/)
 {
   Sums mine, all;
-  const int massless = overdamped_groups(lmp);
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     add_particle(i, atom->mask[i] & massless, mine.particles);
     for (int plate : {LOWER, UPPER})
@@ -147,17 +147,17 @@ void FixRheometerPlates::post_force(int /*vflag*/)
 
 void FixRheometerPlates::watch_targets(double dt)
 {
-  const rheometer::Material m = material();
-  const rheometer::WallStress wall = stress_on(UPPER);
+  const Rheometer_NS::Material m = material();
+  const Rheometer_NS::WallStress wall = stress_on(UPPER);
   // returns the state of the target; w: rate at which its control answers
   auto watch = [&](double measured, double target, double w, double &deviation, double &age,
                    double &warned, const char *what, const char *cause) {
-    if (target == 0.0 || !std::isfinite(w) || w == 0.0) return rheometer::FOLLOWING;
-    const rheometer::Watch now =
-        rheometer::watch({deviation, age}, (measured - target) / target, w, dt);
+    if (target == 0.0 || !std::isfinite(w) || w == 0.0) return Rheometer_NS::FOLLOWING;
+    const Rheometer_NS::Watch now =
+        Rheometer_NS::watch({deviation, age}, (measured - target) / target, w, dt);
     deviation = now.deviation;
     age = now.age;
-    if (!rheometer::unreachable(now)) return rheometer::FOLLOWING;
+    if (!Rheometer_NS::unreachable(now)) return Rheometer_NS::FOLLOWING;
     if (warned == 0.0 && comm->me == 0)
       error->warning(FLERR,
                      "Fix rheometer/plates does not reach the {} {:.6g}: it is {:.3g} on average; "
@@ -165,26 +165,26 @@ void FixRheometerPlates::watch_targets(double dt)
                      what, target * force->nktv2p, (1.0 + deviation) * target * force->nktv2p,
                      cause);
     warned = 1.0;
-    return rheometer::UNREACHABLE;
+    return Rheometer_NS::UNREACHABLE;
   };
 
-  state.code_x = state.code_y = rheometer::IDLE;
+  state.code_x = state.code_y = Rheometer_NS::IDLE;
   if (drive == STRESS) {
     const double s = target_x.value / force->nktv2p;
     state.code_x = watch(
-        wall.xy, s, rheometer::servo_rate(m, state.rate, s, rheometer::STRESS_FLOOR),
+        wall.xy, s, Rheometer_NS::servo_rate(m, state.rate, s, Rheometer_NS::STRESS_FLOOR),
         state.deviation_x, state.age_x, state.warned_x, "shear stress",
         "the suspension cannot resist it, or the plate is so heavy that it still accelerates");
   }
   if (load == GAP) return;
   const double p = target_y.value / force->nktv2p;
-  const double w = rheometer::servo_rate(m, state.rate, p, rheometer::PRESSURE_FLOOR);
+  const double w = Rheometer_NS::servo_rate(m, state.rate, p, Rheometer_NS::PRESSURE_FLOOR);
   state.code_y =
       watch(wall.pressure, p, w, state.deviation_y, state.age_y, state.warned_y, "pressure",
             "the suspension is jammed, too dilute to push, or the plate too slow");
-  if (load == PRESSURE && state.code_y == rheometer::FOLLOWING &&
-      fabs(state.dilation) >= rheometer::dilation_limit(m, p, state.rate, gain))
-    state.code_y = rheometer::LIMITED;
+  if (load == PRESSURE && state.code_y == Rheometer_NS::FOLLOWING &&
+      fabs(state.dilation) >= Rheometer_NS::dilation_limit(m, p, state.rate, gain))
+    state.code_y = Rheometer_NS::LIMITED;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -193,7 +193,7 @@ double FixRheometerPlates::compute_vector(int n)
 {
   const double unit = force->nktv2p;
   const double phi = state.gap > 0.0 ? state.solid / (area() * state.gap) : 0.0;
-  const rheometer::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
+  const Rheometer_NS::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
   const double values[] = {state.strain,
                            state.rate,
                            state.gap,
@@ -212,7 +212,7 @@ double FixRheometerPlates::compute_vector(int n)
                            state.code_y};
   const int now = sizeof(values) / sizeof(double);
   if (n < now) return values[n];
-  const double mean = rheometer::mean_output(
+  const double mean = Rheometer_NS::mean_output(
       state.means, n - now, 0.5 * (low.pressure + up.pressure), 0.5 * (low.xy + up.xy));
-  return n - now == rheometer::MEAN_OUTPUTS - 1 ? mean : mean * unit;
+  return n - now == Rheometer_NS::MEAN_OUTPUTS - 1 ? mean : mean * unit;
 }

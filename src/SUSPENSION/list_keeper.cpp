@@ -26,8 +26,8 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using rheometer::Deformation;
-using rheometer::Scatter;
+using Rheometer_NS::Deformation;
+using Rheometer_NS::Scatter;
 
 static constexpr int NEVER = MAXSMALLINT;    // steps between the decisions of LAMMPS
 
@@ -110,7 +110,8 @@ void ListKeeper::take_over()
 
 void ListKeeper::release()
 {
-  if (keeps && neighbor) neighbor->every = every;    // a LAMMPS that ends in a run has none any more
+  if (keeps && neighbor)
+    neighbor->every = every;    // a LAMMPS that ends in a run has none any more
   keeps = asked = false;
 }
 
@@ -156,8 +157,8 @@ bool ListKeeper::decide(const std::vector<Deformation> &references, const double
     const double *a = &all[SIZE * n];
     const Scatter s = {a[0], {-a[4], -a[5], -a[6]}, {a[1], a[2], a[3]}};
     holds = holds ||
-        rheometer::list_holds(references[n], domain->dimension, rheometer::largest_difference(s),
-                              cut_and_skin, neighbor->skin);
+        Rheometer_NS::list_holds(references[n], domain->dimension,
+                                 Rheometer_NS::largest_difference(s), cut_and_skin, neighbor->skin);
     if (n + 1 == references.size() && crosses(s)) return false;
   }
 

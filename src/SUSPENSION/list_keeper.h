@@ -15,10 +15,10 @@
 #include <array>
 #include <vector>
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 struct Deformation;
 struct Scatter;
-}    // namespace rheometer
+}    // namespace LAMMPS_NS::Rheometer_NS
 
 namespace LAMMPS_NS {
 
@@ -31,7 +31,7 @@ class ListKeeper : protected Pointers {
   ~ListKeeper() override;
 
   void listed();    // a list is about to be made of these positions
-  bool decide(const std::vector<rheometer::Deformation> &,
+  bool decide(const std::vector<Rheometer_NS::Deformation> &,
               const double *origin);    // with one of these since then, false: make a new list now
   void release();                       // LAMMPS decides again
   double memory_usage() const;
@@ -49,7 +49,7 @@ class ListKeeper : protected Pointers {
   void take_over();
   bool may_keep() const;
   double longest_cutoff() const;
-  bool crosses(const rheometer::Scatter &) const;
+  bool crosses(const Rheometer_NS::Scatter &) const;
 };
 
 }    // namespace LAMMPS_NS

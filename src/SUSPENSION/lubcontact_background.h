@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Background flows towards which particles are dragged: velocity and spin, half of the vorticity.
 
 #ifndef LUBCONTACT_BACKGROUND_H
@@ -5,7 +14,7 @@
 
 #include "lubcontact_vec3.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Flow {
   Vec3 velocity;
@@ -62,6 +71,6 @@ inline Flow cell_flow(const double *rate, const double *inverse, const Vec3 &x, 
   return {v + low_rate, {-0.5 * yz, 0.5 * xz, -0.5 * xy}};
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

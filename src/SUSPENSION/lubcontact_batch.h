@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // A step of several pairs at once: the functions of lubcontact_pair.h in a loop that the compiler
 // turns into vector instructions. Structure of arrays, one lane per pair.
 
@@ -6,7 +15,7 @@
 
 #include "lubcontact_pair.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Batch {
   static constexpr int WIDTH = 8;    // one vector of AVX-512
@@ -122,6 +131,6 @@ step_together(Batch &batch, const Film &film, double dt)
   step_batch<E>(batch, film, dt);
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,9 +1,18 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Where a pair force comes from. This one list feeds the kernel, the computes and the manual.
 
 #ifndef LUBCONTACT_CHANNELS_H
 #define LUBCONTACT_CHANNELS_H
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 enum Channel {
   CONTACT_NORMAL,
@@ -18,6 +27,6 @@ inline constexpr const char *CHANNEL_NAME[NUM_CHANNELS] = {"contact/normal", "co
                                                            "lubrication/normal",
                                                            "lubrication/tangential", "repulsion"};
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // What the statistics of pairs need to know of one pair, and averages over all pairs: coordination
 // numbers, shares of frictional and sliding contacts, mean forces and gaps.
 //   Z = 2 contacts/N, chi_f = frictional contacts/contacts: J. Dong, thesis, sec. 4
@@ -10,7 +19,7 @@
 
 #include <limits>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct PairView {
   bool contact;       // the asperities touch
@@ -137,6 +146,6 @@ inline Averages averages(const PairSums &s, double particles, double rattlers, d
   return a;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Drag on a particle alone in a fluid, and the motion that it gives, with inertia and without.
 // Sphere: G.G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851). Disc, per length of its axis: Stokes'
 // law over the diameter, M. Trulsson, B. Andreotti, P. Claudin, Phys. Rev. Lett. 109, 118305 (2012).
@@ -10,7 +19,7 @@
 
 #include <cmath>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 enum class Shape { SPHERE, DISC };
 
@@ -68,6 +77,6 @@ inline double overdamped_step_limit(double stiffness, double coefficient)
 // 1/translation, for both shapes. A sliding spring kt weighs kt (1 + 3/4), see lubcontact_stiffness.h.
 static constexpr double SPIN_OF_DRAG = 0.75;
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

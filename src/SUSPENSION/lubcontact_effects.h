@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Compile-time switches: an effect that is off leaves no code, no branch and no history slot.
 
 #ifndef LUBCONTACT_EFFECTS_H
@@ -5,7 +14,7 @@
 
 #include <utility>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 enum : unsigned {     // bits of a mask
   SQUEEZE = 1,        // squeeze film in the normal direction
@@ -108,6 +117,6 @@ template <class E> inline void exchange_history(const double *source, double *ta
   }
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

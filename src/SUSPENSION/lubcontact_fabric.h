@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Fabric tensors: means over pairs of the product of two directions, with a weight.
 // M. Oda, Soils Found. 22(4), 96 (1982); with forces: L. Rothenburg, R.J. Bathurst, Geotechnique 39,
 // 601 (1989).
@@ -7,7 +16,7 @@
 
 #include "lubcontact_vec3.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 static constexpr int FABRIC_SIZE = 6;    // xx yy zz xy xz yz
 
@@ -31,6 +40,6 @@ struct Fabric {
   double mean(int m) const { return sum[FABRIC_SIZE] != 0.0 ? sum[m] / sum[FABRIC_SIZE] : 0.0; }
 };
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Resistances of the film between two spheres, leading order in the gap, per pair.
 // Squeeze, shear: N.A. Frankel, A. Acrivos, Chem. Eng. Sci. 22, 847 (1967); R.C. Ball,
 // J.R. Melrose, Physica A 247, 444 (1997). Roll: D.J. Jeffrey, Y. Onishi, J. Fluid Mech. 139,
@@ -13,7 +22,7 @@
 
 #include <cmath>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 static constexpr double PI = 3.14159265358979323846;
 
@@ -98,6 +107,6 @@ inline Film without_films(Film f, bool shear, bool roll, bool twist)
   return f;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Load that a contact needs before it rubs: critical-load laws of friction.
 //   step   mu N from N = F* on, none below    J. Dong, thesis, Lund (2020), eq. 3.25
 //   shift  mu (N - F*), not below 0           R. Seto, R. Mari, J.F. Morris, M.M. Denn, Phys. Rev.
@@ -10,7 +19,7 @@
 
 #include "lubcontact_vec3.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 enum class FrictionLaw { NONE, COULOMB, STEP, SHIFT, RAMP, NUM_LAWS };
 
@@ -42,6 +51,6 @@ inline double rubbing_load(const Threshold &t, double N)
   return N >= t.least ? load : 0.0;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Evolution of the gap u between the deformed surfaces of a pair, over one time step.
 //
 // Film, asperities (stiffness k) and bulk (stiffness g) in series, lengths in a, time in
@@ -22,7 +31,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 // Gap over a, and its logarithm: u may underflow where ln_u does not, and is kept beside it so that
 // a step need not take the exponential of its own logarithm.
@@ -334,6 +343,6 @@ inline Gap gap_step(const GapLaw &law, const Gap &old, double un0, double un1, d
   return gap;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Geometry and motion of a pair of spheres. All signs of the package are defined here:
 // n points from j to i, un > 0 is a gap, every relative motion is i minus j, every force acts on i.
 
@@ -6,7 +15,7 @@
 
 #include "lubcontact_vec3.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Body {
   Vec3 x;           // position
@@ -88,6 +97,6 @@ inline PairMotion pair_motion(const PairGeometry &g, const Body &i, const Body &
   return m;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

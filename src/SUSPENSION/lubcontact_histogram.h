@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Histogram on [lo, hi) that keeps count of what falls outside.
 
 #ifndef LUBCONTACT_HISTOGRAM_H
@@ -5,7 +14,7 @@
 
 #include <vector>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Histogram {
   double lo, hi;
@@ -48,6 +57,6 @@ struct Histogram {
   }
 };
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

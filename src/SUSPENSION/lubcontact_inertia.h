@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Momentum that particles carry relative to their common motion: the inertial part of the stress, and
 // the kinetic energy. Velocities v are relative to the flow. A flow looks the same from every
 // particle, so a drift w of all of them together is no fluctuation. In a sheared cell it is not even
@@ -9,7 +18,7 @@
 
 #include "lubcontact_vec3.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 // sums over particles, to be added up over ranks
 struct Inertia {
@@ -43,6 +52,6 @@ inline Fluctuation fluctuation(const Inertia &i)
           s[3] - p.x * w.y, s[4] - p.x * w.z, s[5] - p.y * w.z};
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // From properties of the solid, as measured, to the coefficients of two spheres.
 // Springs: in series, k = E a for equal spheres, as in Yade (V. Smilauer et al., Yade Documentation,
 // DEM formulation); or Hertz' secant at a load, K.L. Johnson, Contact Mechanics (1985), chapter 4.
@@ -8,7 +17,7 @@
 
 #include <cmath>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 // The solid of a sphere, and its size.
 struct Elastic {
@@ -68,6 +77,6 @@ inline Springs springs(const Elastic &i, const Elastic &j, double load)
   return {g, g * mindlin_ratio(i, j)};
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

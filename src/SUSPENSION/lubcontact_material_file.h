@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Files of materials: text in, materials out, and the words of pair_coeff that say the same.
 // All numbers are in SI units and do not depend on the size of a particle.
 
@@ -13,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct SolidFriction {
   enum Law { UNKNOWN, NONE, COULOMB, CLM } law = UNKNOWN;
@@ -322,6 +331,6 @@ inline std::vector<Words> surface_words(const Surface &s, double a, const UnitSc
   return all;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

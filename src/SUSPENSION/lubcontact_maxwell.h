@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Maxwell element, spring and film in series, over one time step: shared by shear, roll and twist.
 //     dq/dt = rate - (stiffness/resistance) q,  q = elastic part of the displacement, force = -stiffness q
 // integrated by q1 = keep q0 + gain (rate dt), keep and gain being rational in stiffness dt/resistance:
@@ -7,7 +16,7 @@
 #ifndef LUBCONTACT_MAXWELL_H
 #define LUBCONTACT_MAXWELL_H
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Relaxation {
   double keep;    // what remains of the old displacement
@@ -23,6 +32,6 @@ inline Relaxation relaxation(double resistance, double stiffness_dt)
   return {R * scale, (R + 0.5 * S) * scale};
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

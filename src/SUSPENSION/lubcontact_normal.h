@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Normal mode: squeeze film and asperities, in series with the bulk.
 // Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020).
 //
@@ -13,7 +22,7 @@
 #include "lubcontact_gap.h"
 #include "lubcontact_repulsion.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct NormalCoeffs {
   double g;           // bulk stiffness, force/length
@@ -208,6 +217,6 @@ inline double normal_energy(const NormalCoeffs &c, double a, double un, double u
   return energy;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

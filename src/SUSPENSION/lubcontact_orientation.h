@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Bins of the direction of a pair, on the circle in a plane or on the sphere. A pair has no head: n
 // and -n are the same, and the bins cover the half in which the azimuth is in [0, pi).
 // W. Chevremont, thesis (2020), sec. 3.3, where the polar axis is that of the gradient; here it is
@@ -11,7 +20,7 @@
 
 #include <cmath>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 enum class Plane { XY, XZ, YZ };
 
@@ -73,6 +82,6 @@ struct DirectionBins {
   double measure_sphere() const { return 4.0 * HALF_TURN / size(); }
 };
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // The whole law of a pair, composed of its modes. Pure: old history in, next history or load out;
 // the caller decides what is stored. The load depends on positions and history alone, so that a
 // restarted run, single() and the computes see exactly the forces of the run.
@@ -16,7 +25,7 @@
 
 #include <array>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct PairCoeffs {    // of a pair of types
   NormalCoeffs normal;
@@ -277,6 +286,6 @@ inline double pair_energy(const PairCoeffs &c, const PairGeometry &g, const Load
   return energy;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

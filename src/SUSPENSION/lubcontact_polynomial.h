@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Polynomials for the series of the kernel, and the exponential and logarithm made of them: without
 // call or branch, so that a loop over pairs becomes vector instructions.
 
@@ -8,7 +17,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 // sum c[n] x^n, even and odd powers side by side: half the latency of Horner's rule.
 template <std::size_t N> inline double polynomial(const double (&c)[N], double x)
@@ -82,6 +91,6 @@ inline double logarithm(double x)
   return k * LN2_HIGH + (2.0 * s * polynomial(ARTANH_SERIES, s * s) + k * LN2_LOW);
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

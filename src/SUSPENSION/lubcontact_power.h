@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Power of a pair by origin: what a step put into its springs and what it turned into heat. From the
 // history before and after the step, so that the sum over a run closes the balance of energy:
 //     work done on the pair = dissipated + stored,   work = -(F0 + F1)/2 . displacement
@@ -9,7 +18,7 @@
 
 #include "lubcontact_pair.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 enum PowerOrigin {
   NORMAL_CONTACT,    // bulk and asperities; loses energy where an adhesive contact breaks
@@ -129,6 +138,6 @@ inline Energies step_loss(const PairCoeffs &c, const Film &f, const PairGeometry
   return loss;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Screened repulsion of two surfaces, F0 exp(-u/lambda), in parallel with the asperities: it acts on
 // the gap u of the deformed surfaces, in series with the bulk (W. Chevremont, thesis, Grenoble 2020,
 // sec. 5.2.2). Electrostatic double layers: J.N. Israelachvili, Intermolecular and Surface Forces
@@ -9,7 +18,7 @@
 #include "lubcontact_polynomial.h"
 #include "lubcontact_vec3.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Repulsion {
   double force = 0.0;         // F0 at closed gap, force
@@ -44,6 +53,6 @@ inline double repelled_gap(double r, double A, double p, double k)
   return free + lambert_of_exponential(logarithm(larger(1e-300, p * k / A)) - k * free) / k;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

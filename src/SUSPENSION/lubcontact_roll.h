@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Rolling torque of the film, regularised by a spring in series so that it never limits the step.
 // Resistance: roll_resistance() in lubcontact_film.h.
 
@@ -7,7 +16,7 @@
 #include "lubcontact_maxwell.h"
 #include "lubcontact_vec3.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 // Elastic part of the relative rolling after a step: q0 already turned with the pair, roll the
 // relative rolling of the step. Torque on i: -stiffness q.
@@ -17,6 +26,6 @@ inline Vec3 next_roll(const Vec3 &q0, const Vec3 &roll, double resistance, doubl
   return f.keep * q0 + f.gain * roll;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

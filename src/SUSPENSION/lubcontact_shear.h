@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Tangential mode: Maxwell film with Coulomb friction of the asperities in parallel.
 //   F = -kt q,  dq/dt = slip rate                          while the contact sticks
 //   nu_t (slip rate - dq/dt) = kt q - (mu N) q/|q|         while it slips, or N = 0 without contact
@@ -10,7 +19,7 @@
 #include "lubcontact_maxwell.h"
 #include "lubcontact_vec3.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 enum class ContactState { NONE, STICK, SLIP };
 
@@ -57,6 +66,6 @@ inline ShearSplit shear_split(const Vec3 &q, double cone, bool touching)
   return {ContactState::SLIP, size > 0.0 ? std::fmin(1.0, cone / size) : 1.0};
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // The stiffest mode of a pair as one of its spheres feels it, for bounds of the time step. With x the
 // displacements across n, s = arm theta those of the surfaces by spin and b = a/arm, the springs hold
 //     kt/2 [ (x_i - x_j - s_i - s_j)^2 + (b_i s_i - b_j s_j)^2 ]    slip and roll
@@ -15,7 +24,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 // How much easier a sphere turns than it moves: m R^2/J, and of drag 6 pi eta R R^2/(8 pi eta R^3).
 static constexpr double SPIN_OF_INERTIA = 2.5;
@@ -50,6 +59,6 @@ inline PairStiffness pair_stiffness(double g, double kt, double spin, const Pair
   return {of(qi, bi), of(qj, bj)};
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

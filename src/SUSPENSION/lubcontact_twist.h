@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Twisting torque of the film, regularised by a spring in series so that it never limits the step.
 // Resistance: twist_resistance() in lubcontact_film.h.
 
@@ -6,7 +15,7 @@
 
 #include "lubcontact_maxwell.h"
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 // Elastic part of the relative twist after a step: twist the relative rotation of the step about
 // n. Torque on i: -stiffness q n.
@@ -16,6 +25,6 @@ inline double next_twist(double q0, double twist, double resistance, double stif
   return f.keep * q0 + f.gain * twist;
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Three-component vector of the engine-free physics headers.
 
 #ifndef LUBCONTACT_VEC3_H
@@ -5,7 +14,7 @@
 
 #include <cmath>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Vec3 {
   double x = 0.0, y = 0.0, z = 0.0;
@@ -55,6 +64,6 @@ inline Vec3 turned(const Vec3 &a, const Vec3 &c)
   return a + (1.0 / (1.0 + 0.25 * dot(c, c))) * (ca + 0.5 * cross(c, ca));
 }
 
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -21,6 +21,7 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "suspension_host.h"
 #include "update.h"
 
 #include <cmath>
@@ -28,14 +29,14 @@
 #include <limits>
 
 using namespace LAMMPS_NS;
-using lubcontact::Load;
-using lubcontact::PairCoeffs;
-using lubcontact::PairGeometry;
-using lubcontact::Vec3;
+using Lubcontact_NS::Load;
+using Lubcontact_NS::PairCoeffs;
+using Lubcontact_NS::PairGeometry;
+using Lubcontact_NS::Vec3;
 
 static constexpr int SINGLE_EXTRA = 15;
 static constexpr int MAX_HISTORY =
-    lubcontact::Effects<lubcontact::NUM_COMBINATIONS - 1>::HISTORY_SIZE;
+    Lubcontact_NS::Effects<Lubcontact_NS::NUM_COMBINATIONS - 1>::HISTORY_SIZE;
 
 /* ---------------------------------------------------------------------- */
 
@@ -45,14 +46,14 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     range_rule(0), radius_rule(0), euler(0), mode{1, 1, 1, 1}, roll_coeff(0.6), g(nullptr),
     kt(nullptr), asperity(nullptr), roughness(nullptr), friction(nullptr), law(nullptr),
     critical(nullptr), adhesion(nullptr), repulsion(nullptr), screening(nullptr), coeffs(nullptr),
-    reach(nullptr), film(new lubcontact::Film()), longest(0.0), max_radius(nullptr),
+    reach(nullptr), film(new Lubcontact_NS::Film()), longest(0.0), max_radius(nullptr),
     fix_history(nullptr), history_place(nullptr), reported(false), warned_dt(false),
     partition_now(false), partition_atom_now(false), power_now(false), ghosts_of_user(0.0),
     ghosts_raised(0.0), mask(0), instance(0), size_history(0), history_layout(0), eval(nullptr),
     eval_single(nullptr), exchange(nullptr)
 {
-  static_assert(NUM_PARTS == lubcontact::NUM_CHANNELS, "one row of stress per channel");
-  static_assert(NUM_ORIGINS == lubcontact::NUM_ORIGINS, "one row of power per origin");
+  static_assert(NUM_PARTS == Lubcontact_NS::NUM_CHANNELS, "one row of stress per channel");
+  static_assert(NUM_ORIGINS == Lubcontact_NS::NUM_ORIGINS, "one row of power per origin");
 
   single_enable = 1;
   restartinfo = 1;
@@ -66,6 +67,16 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
   svector = new double[single_extra];
 
   find_place();
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<PairLubcontact *> PairLubcontact::all(LAMMPS *lmp)
+{
+  std::vector<PairLubcontact *> found;
+  for (Pair *pair : Suspension_NS::all_lubcontact(lmp))
+    found.push_back(dynamic_cast<PairLubcontact *>(pair));
+  return found;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -171,14 +182,13 @@ void PairLubcontact::start_partition()
 
 void PairLubcontact::init_style()
 {
-  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, "Pair style lubcontact needs finite-size spheres; use: atom_style sphere");
+  Suspension_NS::require_spheres(lmp, "Pair style lubcontact");
   if (comm->ghost_velocity == 0)
     error->all(FLERR,
                "Pair style lubcontact needs velocities of ghost atoms; add: comm_modify vel yes");
   check_variable();
   mask = choose_mask();
-  instance = lubcontact::covering(mask);
+  instance = Lubcontact_NS::covering(mask);
   choose_effects();
   check_host();
 
@@ -205,9 +215,7 @@ void PairLubcontact::init_style()
 
 void PairLubcontact::check_host() const
 {
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR,
-               "Pair style lubcontact does not work with run_style respa; use: run_style verlet");
+  Suspension_NS::require_verlet(lmp, "Pair style lubcontact");
   if (comm->style == Comm::TILED && force->newton_pair && size_history)
     error->all(FLERR,
                "Pair style lubcontact with comm_style tiled needs newton off for pairs, because "
@@ -221,7 +229,7 @@ void PairLubcontact::check_host() const
 
 void PairLubcontact::choose_effects()
 {
-  using lubcontact::ADHESION, lubcontact::REPULSION;
+  using Lubcontact_NS::ADHESION, Lubcontact_NS::REPULSION;
   const unsigned extensions = mask & (ADHESION | REPULSION);
   if (extensions == 0) choose_extended<0>();
   if (extensions == ADHESION) choose_extended<ADHESION>();
@@ -244,7 +252,7 @@ void PairLubcontact::return_ghosts()
 
 double PairLubcontact::effective_radius(double ri, double rj) const
 {
-  return lubcontact::effective_radius(static_cast<lubcontact::Radius>(radius_rule), ri, rj);
+  return Lubcontact_NS::effective_radius(static_cast<Lubcontact_NS::Radius>(radius_rule), ri, rj);
 }
 
 /* ----------------------------------------------------------------------
@@ -258,7 +266,7 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
   const double ri = atom->radius[i], rj = atom->radius[j];
   const double a = effective_radius(ri, rj);
   const PairGeometry geometry =
-      lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
+      Lubcontact_NS::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
   fforce = 0.0;
   for (int m = 0; m < SINGLE_EXTRA; m++) svector[m] = 0.0;
   svector[0] = svector[1] = geometry.un;
@@ -268,8 +276,8 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
 
   double energy, buffer[MAX_HISTORY];
   const Load load = (this->*eval_single)(i, j, geometry, find_history(entry, buffer), energy);
-  const lubcontact::ShearSplit parts = lubcontact::split(load);
-  const double shear = lubcontact::norm(load.shear);
+  const Lubcontact_NS::ShearSplit parts = Lubcontact_NS::split(load);
+  const double shear = Lubcontact_NS::norm(load.shear);
   const double values[SINGLE_EXTRA] = {load.u,
                                        geometry.un,
                                        geometry.un - load.u,

@@ -24,14 +24,14 @@ PairStyle(lubcontact,PairLubcontact);
 #include <utility>
 #include <vector>
 
-namespace lubcontact {
+namespace LAMMPS_NS::Lubcontact_NS {
 struct Body;
 struct Film;
 struct Load;
 struct PairCoeffs;
 struct PairGeometry;
 enum class FrictionLaw;
-}    // namespace lubcontact
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 namespace LAMMPS_NS {
 
@@ -39,6 +39,8 @@ class PairLubcontact : public Pair {
  public:
   PairLubcontact(class LAMMPS *);
   ~PairLubcontact() override;
+
+  static std::vector<PairLubcontact *> all(LAMMPS *);    // of this LAMMPS: several under hybrid
 
   void compute(int, int) override;
   double single(int, int, int, int, double, double, double, double &) override;
@@ -62,14 +64,14 @@ class PairLubcontact : public Pair {
 
   // energy by origin, in the steps that a compute power/partition asked for: turned into heat by the
   // step, and stored after it
-  static constexpr int NUM_ORIGINS = 7;             // lubcontact::PowerOrigin
+  static constexpr int NUM_ORIGINS = 7;             // Lubcontact_NS::PowerOrigin
   double heat[NUM_ORIGINS], stored[NUM_ORIGINS];    // this rank's share
   bool power_of_step;                               // false in a set-up, which makes none
   bigint power_step;                                // step they belong to
 
   // pairs in range with their present load: i, j, weight, geometry, load
-  using Visitor = std::function<void(int, int, double, const lubcontact::PairGeometry &,
-                                     const lubcontact::Load &)>;
+  using Visitor = std::function<void(int, int, double, const Lubcontact_NS::PairGeometry &,
+                                     const Lubcontact_NS::Load &)>;
   void visit_pairs(const Visitor &) const;
 
   // of each particle, ghosts included: how many others are in range; stiffness of their contacts
@@ -78,7 +80,7 @@ class PairLubcontact : public Pair {
   void sum_stiffness_overdamped(double, std::vector<double> &);
 
   // stress by origin, in the steps that a compute stress/partition asked for
-  static constexpr int NUM_PARTS = 5;             // lubcontact::Channel
+  static constexpr int NUM_PARTS = 5;             // Lubcontact_NS::Channel
   static constexpr int NUM_COMPONENTS = 9;        // xx yy zz xy xz yz yx zx zy of sum r_a F_b
   double partition[NUM_PARTS][NUM_COMPONENTS];    // this rank's share
   bigint partition_step;                          // step it belongs to
@@ -117,8 +119,8 @@ class PairLubcontact : public Pair {
   char *eta_name;    // equal-style variable that sets it, or null
   int eta_var;
   double hc;          // range over the effective radius
-  int range_rule;     // lubcontact::Range
-  int radius_rule;    // lubcontact::Radius
+  int range_rule;     // Lubcontact_NS::Range
+  int radius_rule;    // Lubcontact_NS::Radius
   int euler;          // gap integrator
   enum { SQUEEZE, SHEAR, ROLL, TWIST, NUM_MODES };
   int mode[NUM_MODES];    // films on or off
@@ -126,13 +128,13 @@ class PairLubcontact : public Pair {
 
   // coefficients per pair of types, as given or mixed
   double **g, **kt, **asperity, **roughness, **friction;
-  int **law;                          // lubcontact::FrictionLaw
-  double **critical;                  // load of the law, force
-  double **adhesion;                  // beyond the asperities, over the effective radius
-  double **repulsion, **screening;    // force at closed gap; its length, 0: none
-  lubcontact::PairCoeffs **coeffs;    // what the loop needs
-  double **reach;                     // largest gap that acts, over the effective radius
-  lubcontact::Film *film;
+  int **law;                             // Lubcontact_NS::FrictionLaw
+  double **critical;                     // load of the law, force
+  double **adhesion;                     // beyond the asperities, over the effective radius
+  double **repulsion, **screening;       // force at closed gap; its length, 0: none
+  Lubcontact_NS::PairCoeffs **coeffs;    // what the loop needs
+  double **reach;                        // largest gap that acts, over the effective radius
+  Lubcontact_NS::Film *film;
 
   double
       longest;    // distance of centers at which the style acts; under hybrid cutforce is not set
@@ -164,8 +166,9 @@ class PairLubcontact : public Pair {
 
   // one instance of the loop per combination of effects
   using Eval = void (PairLubcontact::*)();
-  using Single = lubcontact::Load (PairLubcontact::*)(int, int, const lubcontact::PairGeometry &,
-                                                      const double *, double &);
+  using Single = Lubcontact_NS::Load (PairLubcontact::*)(int, int,
+                                                         const Lubcontact_NS::PairGeometry &,
+                                                         const double *, double &);
   using Exchange = void (*)(const double *, double *);
   unsigned mask, instance;    // effects of the deck, and of the loop that covers them
   int size_history;
@@ -180,21 +183,21 @@ class PairLubcontact : public Pair {
   template <unsigned MASK> void eval_effects();
   template <class E> void fill(Queue &);
   template <class E>
-  lubcontact::Load step_alone(const Queue &, int, bool, lubcontact::PairGeometry &);
+  Lubcontact_NS::Load step_alone(const Queue &, int, bool, Lubcontact_NS::PairGeometry &);
   template <class E> void flush(Queue &);
   void add_virial(Queue &) const;
   double share(int) const;
-  lubcontact::Body body(int) const;
+  Lubcontact_NS::Body body(int) const;
   template <unsigned MASK>
-  lubcontact::Load single_effects(int, int, const lubcontact::PairGeometry &, const double *,
-                                  double &);
+  Lubcontact_NS::Load single_effects(int, int, const Lubcontact_NS::PairGeometry &, const double *,
+                                     double &);
   template <class E>
-  void tally_pair(int, int, const lubcontact::PairCoeffs &, const lubcontact::PairGeometry &,
-                  const lubcontact::Load &);
+  void tally_pair(int, int, const Lubcontact_NS::PairCoeffs &, const Lubcontact_NS::PairGeometry &,
+                  const Lubcontact_NS::Load &);
 
   template <class E>
-  void tally_power(const Queue &, int, const double *, const lubcontact::PairGeometry &,
-                   const lubcontact::Load &);
+  void tally_power(const Queue &, int, const double *, const Lubcontact_NS::PairGeometry &,
+                   const Lubcontact_NS::Load &);
 
   void allocate();
   void materials(int, char **);
@@ -217,8 +220,8 @@ class PairLubcontact : public Pair {
   void leave_place();
   void follow_radii();
   void start_partition();
-  void tally_partition(int, int, const lubcontact::PairGeometry &, const lubcontact::Load &);
-  lubcontact::FrictionLaw friction_law(int, int, char **) const;
+  void tally_partition(int, int, const Lubcontact_NS::PairGeometry &, const Lubcontact_NS::Load &);
+  Lubcontact_NS::FrictionLaw friction_law(int, int, char **) const;
   void mix(int, int);
   void check_pair(int, int) const;
   double find_reach(int, int) const;

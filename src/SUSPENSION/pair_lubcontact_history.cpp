@@ -122,16 +122,16 @@ void PairLubcontact::follow_radii()
   const std::size_t nall = atom->nlocal + atom->nghost;
   const bool known = neighbor->ago != 0 && !update->setupflag && radii.size() == nall;
   if (known && std::equal(radii.begin(), radii.end(), radius)) return;
-  if (known && (mask & lubcontact::SQUEEZE))
+  if (known && (mask & Lubcontact_NS::SQUEEZE))
     for (int ii = 0; ii < list->inum; ii++) {
       const int i = list->ilist[ii];
       for (int jj = 0; jj < list->numneigh[i]; jj++) {
         const int j = list->firstneigh[i][jj] & NEIGHMASK;
         if (!fix_history->firstflag[i][jj]) continue;
         if (radius[i] == radii[i] && radius[j] == radii[j]) continue;
-        lubcontact::rescale_gap(effective_radius(radii[i], radii[j]) /
-                                    effective_radius(radius[i], radius[j]),
-                                fix_history->firstvalue[i] + size_history * jj);
+        Lubcontact_NS::rescale_gap(effective_radius(radii[i], radii[j]) /
+                                       effective_radius(radius[i], radius[j]),
+                                   fix_history->firstvalue[i] + size_history * jj);
       }
     }
   radii.assign(radius, radius + nall);

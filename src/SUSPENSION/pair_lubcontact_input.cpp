@@ -17,8 +17,8 @@
 #include "input.h"
 #include "lubcontact_pair.h"
 #include "memory.h"
-#include "missing_argument.h"
 #include "modify.h"
+#include "suspension_input.h"
 #include "update.h"
 #include "variable.h"
 
@@ -27,8 +27,8 @@
 #include <map>
 
 using namespace LAMMPS_NS;
-using lubcontact::FRICTION_NAME;
-using lubcontact::FrictionLaw;
+using Lubcontact_NS::FRICTION_NAME;
+using Lubcontact_NS::FrictionLaw;
 
 static constexpr const char *MODE_NAME[4] = {"squeeze", "shear", "roll", "twist"};
 
@@ -88,8 +88,8 @@ int PairLubcontact::set_range(int narg, char **arg)
 {
   const std::string rule = arg[1];
   if (rule == "default") {
-    range_rule = static_cast<int>(lubcontact::DEFAULT_RANGE);
-    hc = lubcontact::DEFAULT_REACH;
+    range_rule = static_cast<int>(Lubcontact_NS::DEFAULT_RANGE);
+    hc = Lubcontact_NS::DEFAULT_REACH;
     if (narg > 2 && utils::is_double(arg[2]))
       error->all(FLERR, 3,
                  "Pair style lubcontact range default takes no number, but found {}: write cut {}",
@@ -97,19 +97,19 @@ int PairLubcontact::set_range(int narg, char **arg)
     return 2;
   }
   if (rule == "cut")
-    range_rule = static_cast<int>(lubcontact::Range::CUT);
+    range_rule = static_cast<int>(Lubcontact_NS::Range::CUT);
   else if (rule == "shifted")
-    range_rule = static_cast<int>(lubcontact::Range::SHIFTED);
+    range_rule = static_cast<int>(Lubcontact_NS::Range::SHIFTED);
   else if (rule == "voronoi")
-    range_rule = static_cast<int>(lubcontact::Range::VORONOI);
+    range_rule = static_cast<int>(Lubcontact_NS::Range::VORONOI);
   else
     error->all(
         FLERR, 2,
         "Pair style lubcontact range must be default or cut or shifted or voronoi, but is {}",
         rule);
-  if (range_rule == static_cast<int>(lubcontact::Range::VORONOI)) require_voronoi(2);
+  if (range_rule == static_cast<int>(Lubcontact_NS::Range::VORONOI)) require_voronoi(2);
 
-  require_words(FLERR, error, "pair_style lubcontact", narg - 1, rule + " hc ...");
+  Suspension_NS::require_words(FLERR, error, "pair_style lubcontact", narg - 1, rule + " hc ...");
   hc = utils::numeric(FLERR, arg[2], false, lmp);
   if (!(hc > 0.0))
     error->all(FLERR, 3, "Pair style lubcontact range must be > 0 effective radii, but is {}", hc);
@@ -122,8 +122,8 @@ int PairLubcontact::set_range(int narg, char **arg)
 
 void PairLubcontact::settings(int narg, char **arg)
 {
-  require_words(FLERR, error, "pair_style lubcontact", narg + 2,
-                "pair_style lubcontact eta default|cut|shifted|voronoi ...");
+  Suspension_NS::require_words(FLERR, error, "pair_style lubcontact", narg + 2,
+                               "pair_style lubcontact eta default|cut|shifted|voronoi ...");
 
   dt_limit = 0.0;
   delete[] eta_name;
@@ -140,7 +140,7 @@ void PairLubcontact::settings(int narg, char **arg)
   const int first = set_range(narg, arg);
 
   euler = 0;
-  radius_rule = static_cast<int>(lubcontact::Radius::HARMONIC);
+  radius_rule = static_cast<int>(Lubcontact_NS::Radius::HARMONIC);
   for (int &m : mode) m = 1;
   roll_coeff = 0.6;
   reported = false;
@@ -151,7 +151,8 @@ void PairLubcontact::settings(int narg, char **arg)
     const auto known = SETTINGS.find(key);
     if (known == SETTINGS.end())
       error->all(FLERR, iarg + 1, "Unknown pair_style lubcontact keyword: {}", key);
-    require_words(FLERR, error, "pair_style lubcontact", narg - iarg, key + " " + known->second);
+    Suspension_NS::require_words(FLERR, error, "pair_style lubcontact", narg - iarg,
+                                 key + " " + known->second);
     const std::string value = arg[iarg + 1];
     int which = -1;
     for (int m = 0; m < 4; m++)
@@ -169,8 +170,8 @@ void PairLubcontact::settings(int narg, char **arg)
       if (value != "mean" && value != "harmonic")
         error->all(FLERR, iarg + 2,
                    "Pair style lubcontact radius must be mean or harmonic, but is {}", value);
-      radius_rule = static_cast<int>(value == "mean" ? lubcontact::Radius::MEAN
-                                                     : lubcontact::Radius::HARMONIC);
+      radius_rule = static_cast<int>(value == "mean" ? Lubcontact_NS::Radius::MEAN
+                                                     : Lubcontact_NS::Radius::HARMONIC);
     } else {
       roll_coeff = utils::numeric(FLERR, value, false, lmp);
       roll_coeff_given = true;
@@ -212,8 +213,9 @@ FrictionLaw PairLubcontact::friction_law(int iarg, int narg, char **arg) const
 void PairLubcontact::coeff(int narg, char **arg)
 {
   const bool by_name = narg > 2 && !utils::is_double(arg[2]);
-  require_words(FLERR, error, "pair_coeff", narg + 1,
-                by_name ? "pair_coeff * * file name1 ..." : "pair_coeff I J g kt ...");
+  Suspension_NS::require_words(FLERR, error, "pair_coeff", narg + 1,
+                               by_name ? "pair_coeff * * file name1 ..."
+                                       : "pair_coeff I J g kt ...");
   if (!allocated) allocate();
   dt_limit = 0.0;
   if (by_name) return materials(narg, arg);
@@ -242,7 +244,8 @@ void PairLubcontact::coeff(int narg, char **arg)
     const auto known = COEFFICIENTS.find(key);
     if (known == COEFFICIENTS.end())
       error->all(FLERR, place(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}", key);
-    require_words(FLERR, error, "pair_coeff", narg - iarg, key + " " + known->second);
+    Suspension_NS::require_words(FLERR, error, "pair_coeff", narg - iarg,
+                                 key + " " + known->second);
     if (key == "roughness") {
       roughness_one = number(iarg + 1, "roughness", true);
       if (roughness_one >= hc)
@@ -255,7 +258,7 @@ void PairLubcontact::coeff(int narg, char **arg)
       law_one = friction_law(iarg, narg, arg);
       const int words = law_one == FrictionLaw::NONE ? 0 : law_one == FrictionLaw::COULOMB ? 1 : 3;
       const char *values[] = {"", " mu", "", " mu F"};
-      require_words(
+      Suspension_NS::require_words(
           FLERR, error, "pair_coeff", narg - iarg,
           fmt::format("friction {}{}", FRICTION_NAME[static_cast<int>(law_one)], values[words]));
       friction_one = critical_one = 0.0;
@@ -327,8 +330,8 @@ void PairLubcontact::update_viscosity()
       error->all(FLERR, "Viscosity of pair style lubcontact must be >= 0, but variable {} is {}",
                  eta_name, eta);
   }
-  *film = lubcontact::without_films(
-      lubcontact::make_film(eta, hc, static_cast<lubcontact::Range>(range_rule), roll_coeff),
+  *film = Lubcontact_NS::without_films(
+      Lubcontact_NS::make_film(eta, hc, static_cast<Lubcontact_NS::Range>(range_rule), roll_coeff),
       mode[SHEAR], mode[ROLL], mode[TWIST]);
 }
 

@@ -27,12 +27,12 @@
 #include <numeric>
 
 using namespace LAMMPS_NS;
-using lubcontact::Batch;
-using lubcontact::Body;
-using lubcontact::Load;
-using lubcontact::PairCoeffs;
-using lubcontact::PairGeometry;
-using lubcontact::Vec3;
+using Lubcontact_NS::Batch;
+using Lubcontact_NS::Body;
+using Lubcontact_NS::Load;
+using Lubcontact_NS::PairCoeffs;
+using Lubcontact_NS::PairGeometry;
+using Lubcontact_NS::Vec3;
 
 static inline Vec3 vector(const double *a)
 {
@@ -49,7 +49,7 @@ static inline void add(const Vec3 &a, double *sum)
 // Pairs in range, in the order of the neighbor list. In every step all forces are added in this
 // order, whoever computes them: a set-up finds the sums of the run to the last bit.
 struct PairLubcontact::Queue {
-  Batch batch = lubcontact::idle_batch();
+  Batch batch = Lubcontact_NS::idle_batch();
   int n = 0;
   int i[Batch::WIDTH], j[Batch::WIDTH];
   const PairCoeffs *coeffs[Batch::WIDTH];
@@ -64,10 +64,10 @@ struct PairLubcontact::Queue {
 
 template <unsigned MASK> void PairLubcontact::eval_effects()
 {
-  using E = lubcontact::Effects<MASK>;
+  using E = Lubcontact_NS::Effects<MASK>;
   constexpr int SIZE = E::HISTORY_SIZE;
   const bool guard = update->whichflag != 2;    // a minimization may separate anything
-  const auto rule = static_cast<lubcontact::Radius>(radius_rule);
+  const auto rule = static_cast<Lubcontact_NS::Radius>(radius_rule);
   const int *type = atom->type;
   const double *radius = atom->radius;
   const double *const *x = atom->x;
@@ -101,7 +101,7 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
       bool near = rsq < most * most;
       double a = 0.0;
       if (near) {
-        a = lubcontact::effective_radius(rule, ri, radius[j]);
+        a = Lubcontact_NS::effective_radius(rule, ri, radius[j]);
         const double end = radsum + reach_i[jtype] * a;
         near = rsq < end * end;
         if (screened && !faces_i[jj]) {
@@ -146,7 +146,7 @@ template <unsigned MASK> void PairLubcontact::eval_effects()
 
 template <class E> void PairLubcontact::fill(Queue &queue)
 {
-  using lubcontact::put_lane;
+  using Lubcontact_NS::put_lane;
   Batch &b = queue.batch;
   for (int l = 0; l < queue.n; l++) {
     const int i = queue.i[l], j = queue.j[l];
@@ -196,17 +196,18 @@ PairLubcontact::step_alone(const Queue &queue, int l, bool advance, PairGeometry
   const int i = queue.i[l], j = queue.j[l];
   const PairCoeffs &c = *queue.coeffs[l];
   const Body body_i = body(i), body_j = body(j);
-  geometry =
-      lubcontact::pair_geometry(body_i.x, body_j.x, body_i.radius, body_j.radius, queue.batch.a[l]);
+  geometry = Lubcontact_NS::pair_geometry(body_i.x, body_j.x, body_i.radius, body_j.radius,
+                                          queue.batch.a[l]);
   if constexpr (E::HISTORY_SIZE > 0) {
     double *history = queue.history[l];
     if (queue.first[l])
-      lubcontact::first_history<E>(c, geometry, history);
+      Lubcontact_NS::first_history<E>(c, geometry, history);
     else if (advance)
-      lubcontact::next_history<E>(c, *film, geometry, body_i, body_j, update->dt, history, history);
-    return lubcontact::pair_load<E>(c, *film, geometry, history);
+      Lubcontact_NS::next_history<E>(c, *film, geometry, body_i, body_j, update->dt, history,
+                                     history);
+    return Lubcontact_NS::pair_load<E>(c, *film, geometry, history);
   }
-  return lubcontact::pair_load<E>(c, *film, geometry, nullptr);
+  return Lubcontact_NS::pair_load<E>(c, *film, geometry, nullptr);
 }
 
 /* ----------------------------------------------------------------------
@@ -215,7 +216,7 @@ PairLubcontact::step_alone(const Queue &queue, int l, bool advance, PairGeometry
 
 template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
 {
-  using lubcontact::get_lane;
+  using Lubcontact_NS::get_lane;
   constexpr bool TORQUE = E::turns || E::twist;
   const bool advance = !update->setupflag;    // a set-up sees the history of the last step
   const bool together = (advance || !E::HISTORY_SIZE) && !(E::gap_history && euler);
@@ -225,7 +226,7 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
   double **f = atom->f, **torque = atom->torque;
   if (together) {
     fill<E>(queue);
-    lubcontact::step_together<E>(queue.batch, *film, update->dt);
+    Lubcontact_NS::step_together<E>(queue.batch, *film, update->dt);
   }
 
   for (int l = 0; l < queue.n; l++) {
@@ -244,9 +245,9 @@ template <class E> [[gnu::noinline]] void PairLubcontact::flush(Queue &queue)
     }
     if (!done || tally) load = step_alone<E>(queue, l, advance && !done, geometry);
     if (!done) {
-      force_i = lubcontact::force_on_i(load, geometry);
-      torque_i = lubcontact::torque_on_i(load, geometry);
-      torque_j = lubcontact::torque_on_j(load, geometry);
+      force_i = Lubcontact_NS::force_on_i(load, geometry);
+      torque_i = Lubcontact_NS::torque_on_i(load, geometry);
+      torque_j = Lubcontact_NS::torque_on_j(load, geometry);
       put_lane(force_i, queue.batch.force, l);
     }
     add(force_i, f[i]);
@@ -280,8 +281,8 @@ template <class E>
                                                   const PairGeometry &geometry, const Load &load)
 {
   if (eflag_either || vflag_atom) {
-    const double energy = eflag_either ? lubcontact::pair_energy<E>(c, geometry, load) : 0.0;
-    const Vec3 force_i = lubcontact::force_on_i(load, geometry), d = geometry.r * geometry.n;
+    const double energy = eflag_either ? Lubcontact_NS::pair_energy<E>(c, geometry, load) : 0.0;
+    const Vec3 force_i = Lubcontact_NS::force_on_i(load, geometry), d = geometry.r * geometry.n;
     ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, force_i.x, force_i.y,
                  force_i.z, d.x, d.y, d.z);
   }
@@ -300,12 +301,12 @@ template <class E>
   const PairCoeffs &c = *queue.coeffs[l];
   const double *next = E::HISTORY_SIZE ? queue.history[l] : nullptr;
   const double weight = share(j);
-  const auto energy = lubcontact::stored_energy<E>(c, geometry, load, next);
+  const auto energy = Lubcontact_NS::stored_energy<E>(c, geometry, load, next);
   for (int m = 0; m < NUM_ORIGINS; m++) stored[m] += weight * energy.of[m];
   if (queue.first[l] || update->setupflag) return;
 
   const auto loss =
-      lubcontact::step_loss<E>(c, *film, geometry, body(i), body(j), update->dt, old, next);
+      Lubcontact_NS::step_loss<E>(c, *film, geometry, body(i), body(j), update->dt, old, next);
   for (int m = 0; m < NUM_ORIGINS; m++) heat[m] += weight * loss.of[m];
 }
 
@@ -315,15 +316,15 @@ template <unsigned MASK>
 Load PairLubcontact::single_effects(int i, int j, const PairGeometry &geometry,
                                     const double *history, double &energy)
 {
-  using E = lubcontact::Effects<MASK>;
+  using E = Lubcontact_NS::Effects<MASK>;
   const PairCoeffs &c = coeffs[atom->type[i]][atom->type[j]];
   double buffer[E::HISTORY_SIZE + 1];
   if (!history) {
-    lubcontact::first_history<E>(c, geometry, buffer);
+    Lubcontact_NS::first_history<E>(c, geometry, buffer);
     history = buffer;
   }
-  const Load load = lubcontact::pair_load<E>(c, *film, geometry, history);
-  energy = lubcontact::pair_energy<E>(c, geometry, load);
+  const Load load = Lubcontact_NS::pair_load<E>(c, *film, geometry, history);
+  energy = Lubcontact_NS::pair_energy<E>(c, geometry, load);
   return load;
 }
 
@@ -335,11 +336,11 @@ Load PairLubcontact::single_effects(int i, int j, const PairGeometry &geometry,
 template <unsigned... MASK>
 void PairLubcontact::choose_among(std::integer_sequence<unsigned, MASK...>)
 {
-  using lubcontact::Effects;
+  using Lubcontact_NS::Effects;
   static constexpr unsigned masks[] = {MASK...};
   static constexpr Eval evals[] = {&PairLubcontact::eval_effects<MASK>...};
   static constexpr Single singles[] = {&PairLubcontact::single_effects<MASK>...};
-  static constexpr Exchange exchanges[] = {&lubcontact::exchange_history<Effects<MASK>>...};
+  static constexpr Exchange exchanges[] = {&Lubcontact_NS::exchange_history<Effects<MASK>>...};
   static constexpr int sizes[] = {Effects<MASK>::HISTORY_SIZE...};
   static constexpr int layouts[] = {Effects<MASK>::LAYOUT...};
   for (std::size_t m = 0; m < sizeof...(MASK); m++) {
@@ -354,7 +355,7 @@ void PairLubcontact::choose_among(std::integer_sequence<unsigned, MASK...>)
 
 template <unsigned EXTENSIONS> void PairLubcontact::choose_extended()
 {
-  choose_among(lubcontact::instances<EXTENSIONS>());
+  choose_among(Lubcontact_NS::instances<EXTENSIONS>());
 }
 
 #endif

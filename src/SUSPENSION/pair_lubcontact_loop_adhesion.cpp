@@ -13,4 +13,4 @@
 
 using namespace LAMMPS_NS;
 
-template void PairLubcontact::choose_extended<lubcontact::ADHESION>();
+template void PairLubcontact::choose_extended<Lubcontact_NS::ADHESION>();

@@ -13,4 +13,4 @@
 
 using namespace LAMMPS_NS;
 
-template void PairLubcontact::choose_extended<lubcontact::ADHESION | lubcontact::REPULSION>();
+template void PairLubcontact::choose_extended<Lubcontact_NS::ADHESION | Lubcontact_NS::REPULSION>();

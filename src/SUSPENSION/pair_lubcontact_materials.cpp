@@ -17,7 +17,9 @@
 #include "error.h"
 #include "input.h"
 #include "lubcontact_material_file.h"
-#include "missing_argument.h"
+#include "math_const.h"
+#include "suspension_host.h"
+#include "suspension_input.h"
 #include "update.h"
 
 #include <algorithm>
@@ -26,13 +28,13 @@
 #include <map>
 
 using namespace LAMMPS_NS;
-using lubcontact::Elastic;
-using lubcontact::Material;
-using lubcontact::MaterialFile;
-using lubcontact::UnitScale;
-using lubcontact::Words;
+using Lubcontact_NS::Elastic;
+using Lubcontact_NS::Material;
+using Lubcontact_NS::MaterialFile;
+using Lubcontact_NS::UnitScale;
+using Lubcontact_NS::Words;
 
-static constexpr double PI43 = 4.0 / 3.0 * 3.14159265358979323846;
+static constexpr double PI43 = MathConst::MY_4PI3;
 static constexpr double DENSITY_RATIO = 1.2;    // atoms and file, before it is worth a warning
 static constexpr int SHOWN_TYPES = 4;
 
@@ -146,7 +148,7 @@ MaterialFile MaterialCommand::parse(const std::string &text) const
     error->all(FLERR, at(2),
                "File of materials {} must have UNITS: si in its first line, but has {}", arg[2],
                tag("UNITS:").empty() ? "none" : tag("UNITS:"));
-  const MaterialFile file = lubcontact::MaterialParser::parse(text);
+  const MaterialFile file = Lubcontact_NS::MaterialParser::parse(text);
   if (!file.error.empty())
     error->all(FLERR, at(2), "File of materials {}, line {}: {}", arg[2], file.line, file.error);
   const std::string date = tag("DATE:");
@@ -216,7 +218,7 @@ Options MaterialCommand::options(int first) const
   int iarg = first;
   while (iarg < narg && is_option(arg[iarg])) {
     const std::string key = arg[iarg];
-    require_words(FLERR, error, "pair_coeff", narg - iarg, OPTIONS.at(key));
+    Suspension_NS::require_words(FLERR, error, "pair_coeff", narg - iarg, OPTIONS.at(key));
     if (key == "radius") {
       o.radius.assign(1, number(iarg + 1, "radius"));
       for (iarg += 2; iarg < narg && utils::is_double(arg[iarg]); iarg++)
@@ -263,9 +265,7 @@ Options MaterialCommand::options(int first) const
 void average_atoms(LAMMPS *lmp, std::vector<Type> &types)
 {
   const Atom *atom = lmp->atom;
-  if (!atom->radius_flag || !atom->rmass_flag)
-    lmp->error->all(FLERR,
-                    "Pair style lubcontact needs finite-size spheres; use: atom_style sphere");
+  Suspension_NS::require_spheres(lmp, "Pair style lubcontact");
   const std::size_t n = types.size();
   std::vector<double> mine(3 * n, 0.0), all(3 * n);
   for (int i = 0; i < atom->nlocal; i++) {
@@ -322,11 +322,11 @@ class InputWords {
 Words pair_words(const MaterialFile &file, const Type &one, const Type &other, double a,
                  const Options &options)
 {
-  const lubcontact::Springs k = lubcontact::springs(one.solid, other.solid, options.load);
-  Words words{lubcontact::to_word(k.g), lubcontact::to_word(k.kt)};
+  const Lubcontact_NS::Springs k = Lubcontact_NS::springs(one.solid, other.solid, options.load);
+  Words words{Lubcontact_NS::to_word(k.g), Lubcontact_NS::to_word(k.kt)};
   const Words &others = options.others;
-  const auto surface = lubcontact::pair_surface(file, *one.material, *other.material);
-  for (const auto &property : lubcontact::surface_words(surface, a, options.unit))
+  const auto surface = Lubcontact_NS::pair_surface(file, *one.material, *other.material);
+  for (const auto &property : Lubcontact_NS::surface_words(surface, a, options.unit))
     if (std::find(others.begin(), others.end(), property[0]) == others.end())
       words.insert(words.end(), property.begin(), property.end());
   words.insert(words.end(), others.begin(), others.end());

@@ -18,12 +18,12 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using lubcontact::FRICTION_NAME;
-using lubcontact::FrictionLaw;
-using lubcontact::PairCoeffs;
+using Lubcontact_NS::FRICTION_NAME;
+using Lubcontact_NS::FrictionLaw;
+using Lubcontact_NS::PairCoeffs;
 
-static constexpr unsigned MODE_BIT[4] = {lubcontact::SQUEEZE, lubcontact::SHEAR, lubcontact::ROLL,
-                                         lubcontact::TWIST};
+static constexpr unsigned MODE_BIT[4] = {Lubcontact_NS::SQUEEZE, Lubcontact_NS::SHEAR,
+                                         Lubcontact_NS::ROLL, Lubcontact_NS::TWIST};
 
 /* ----------------------------------------------------------------------
    effects that some pair of types uses
@@ -37,10 +37,10 @@ unsigned PairLubcontact::choose_mask() const
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
       if (!setflag[i][j]) continue;
-      if (law[i][j] != static_cast<int>(FrictionLaw::NONE)) bits |= lubcontact::FRICTION;
-      if (law[i][j] > static_cast<int>(FrictionLaw::COULOMB)) bits |= lubcontact::THRESHOLD;
-      if (adhesion[i][j] > 0.0) bits |= lubcontact::ADHESION;
-      if (screening[i][j] > 0.0) bits |= lubcontact::REPULSION;
+      if (law[i][j] != static_cast<int>(FrictionLaw::NONE)) bits |= Lubcontact_NS::FRICTION;
+      if (law[i][j] > static_cast<int>(FrictionLaw::COULOMB)) bits |= Lubcontact_NS::THRESHOLD;
+      if (adhesion[i][j] > 0.0) bits |= Lubcontact_NS::ADHESION;
+      if (screening[i][j] > 0.0) bits |= Lubcontact_NS::REPULSION;
     }
   return bits;
 }
@@ -140,13 +140,13 @@ double PairLubcontact::init_one(int i, int j)
   check_pair(i, j);
 
   const double eps = roughness[i][j], release = eps + adhesion[i][j];
-  lubcontact::GapLaw gap{asperity[i][j] / g[i][j], eps, eps > 0.0 ? log(eps) : -HUGE_VAL,
-                         euler != 0};
+  Lubcontact_NS::GapLaw gap{asperity[i][j] / g[i][j], eps, eps > 0.0 ? log(eps) : -HUGE_VAL,
+                            euler != 0};
   gap.release = release;
   gap.ln_release = adhesion[i][j] > 0.0 ? log(release) : gap.ln_eps;
   PairCoeffs &c = coeffs[i][j];
   c = {{g[i][j], asperity[i][j], gap}, kt[i][j], friction[i][j]};
-  c.threshold = lubcontact::make_threshold(static_cast<FrictionLaw>(law[i][j]), critical[i][j]);
+  c.threshold = Lubcontact_NS::make_threshold(static_cast<FrictionLaw>(law[i][j]), critical[i][j]);
   if (screening[i][j] > 0.0) c.normal.repulsion = {repulsion[i][j], 1.0 / screening[i][j]};
   reach[i][j] = find_reach(i, j);
 

@@ -12,7 +12,6 @@
 #include "pair_lubcontact.h"
 
 #include "atom.h"
-#include "background_fluid.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -23,7 +22,7 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "pair_lubcontact_checks.h"
-#include "rheometer_target.h"
+#include "suspension_host.h"
 #include "update.h"
 
 #include <algorithm>
@@ -81,9 +80,7 @@ void PairLubcontact::overlap_error(int i, int j, double un) const
 
 void PairLubcontact::check_box() const
 {
-  const double *hi = domain->h_inv;
-  const double height[3] = {1.0 / sqrt(hi[0] * hi[0] + hi[5] * hi[5] + hi[4] * hi[4]),
-                            1.0 / sqrt(hi[1] * hi[1] + hi[3] * hi[3]), 1.0 / hi[2]};
+  const auto height = Suspension_NS::cell_heights(domain);
   for (int d = 0; d < domain->dimension; d++)
     if (domain->periodicity[d] && height[d] < 2.0 * longest)
       error->all(
@@ -113,12 +110,12 @@ double PairLubcontact::sum_stiffness(double spin, double each)
       const double *xj = atom->x[j];
       const double ri = atom->radius[i], rj = atom->radius[j], a = effective_radius(ri, rj);
       const auto geometry =
-          lubcontact::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
+          Lubcontact_NS::pair_geometry({xi[0], xi[1], xi[2]}, {xj[0], xj[1], xj[2]}, ri, rj, a);
       if (!acts(i, jj, geometry.un, a)) continue;
-      lubcontact::PairStiffness k{each, each};
+      Lubcontact_NS::PairStiffness k{each, each};
       if (each == 0.0)
-        k = lubcontact::pair_stiffness(g[itype][jtype], kt[itype][jtype], spin, geometry, ri, rj,
-                                       mode[ROLL], mode[TWIST]);
+        k = Lubcontact_NS::pair_stiffness(g[itype][jtype], kt[itype][jtype], spin, geometry, ri, rj,
+                                          mode[ROLL], mode[TWIST]);
       stiffness[i] += k.i;
       stiffness[j] += k.j;
       pairs += force->newton_pair || j < nlocal ? 1.0 : 0.5;
@@ -162,7 +159,7 @@ void PairLubcontact::unpack_reverse_comm(int n, int *list, double *buf)
 double PairLubcontact::time_step_limit() const
 {
   double mine = 0.0, all;
-  const int massless = overdamped_groups(lmp);
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
   for (int i = 0; i < atom->nlocal; i++)
     if (!(atom->mask[i] & massless)) mine = MAX(mine, 2.0 * stiffness[i] / atom->rmass[i]);
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -187,7 +184,7 @@ Particles find_particles(LAMMPS *lmp)
   for (int i = 0; i < atom->nlocal; i++) {
     const double r = atom->radius[i];
     if (r == 0.0) continue;
-    const double values[4] = {1.0, atom->rmass[i], r, 4.0 / 3.0 * lubcontact::PI * r * r * r};
+    const double values[4] = {1.0, atom->rmass[i], r, 4.0 / 3.0 * Lubcontact_NS::PI * r * r * r};
     for (int n = 0; n < 4; n++) mine[n] += values[n];
     mine_most[0] = MAX(mine_most[0], r);
     mine_most[1] = MAX(mine_most[1], -r);
@@ -216,14 +213,14 @@ void PairLubcontact::setup()
   check_box();
   update_viscosity();
   tessellate();
-  const double mine = sum_stiffness(lubcontact::SPIN_OF_INERTIA, 0.0);
+  const double mine = sum_stiffness(Lubcontact_NS::SPIN_OF_INERTIA, 0.0);
   double pairs;
   MPI_Allreduce(&mine, &pairs, 1, MPI_DOUBLE, MPI_SUM, world);
-  const auto all = all_lubcontact(lmp);    // a particle feels the springs of every sub-style
+  const auto all = PairLubcontact::all(lmp);    // a particle feels the springs of every sub-style
   for (PairLubcontact *other : all) {
     if (other == this) continue;
     other->tessellate();    // its own set-up may come later
-    other->sum_stiffness(lubcontact::SPIN_OF_INERTIA, 0.0);
+    other->sum_stiffness(Lubcontact_NS::SPIN_OF_INERTIA, 0.0);
     for (int i = 0; i < atom->nlocal; i++) stiffness[i] += other->stiffness[i];
   }
   const double limit = dt_limit = time_step_limit();
@@ -289,7 +286,7 @@ void PairLubcontact::check_motion() const
     error->warning(FLERR,
                    "The cell is sheared, but particles that cross its boundary keep their "
                    "velocity: add to fix deform: remap v");
-  const bool turns = mode[SHEAR] || mode[ROLL] || mode[TWIST] || (mask & lubcontact::FRICTION);
+  const bool turns = mode[SHEAR] || mode[ROLL] || mode[TWIST] || (mask & Lubcontact_NS::FRICTION);
   for (const auto &fix : modify->get_fix_by_style("^nve$")) {
     int mine = 0, any;    // under hybrid it may move points
     for (int i = 0; i < atom->nlocal; i++)
@@ -325,12 +322,13 @@ void PairLubcontact::report(double pairs, double limit)
   text += fmt::format("  rolling film   {}\n",
                       state("roll", mode[ROLL], fmt::format(", coefficient {:.6g}", roll_coeff)));
   text += fmt::format("  twisting film  {}\n", state("twist", mode[TWIST], ""));
-  text += fmt::format("  friction       {}\n", state("friction", mask & lubcontact::FRICTION, ""));
-  text += fmt::format("  adhesion       {}\n", mask & lubcontact::ADHESION ? "yes" : "no");
   text +=
-      fmt::format("  repulsion      {}\n", state("repulsion", mask & lubcontact::REPULSION, ""));
+      fmt::format("  friction       {}\n", state("friction", mask & Lubcontact_NS::FRICTION, ""));
+  text += fmt::format("  adhesion       {}\n", mask & Lubcontact_NS::ADHESION ? "yes" : "no");
+  text +=
+      fmt::format("  repulsion      {}\n", state("repulsion", mask & Lubcontact_NS::REPULSION, ""));
   text += fmt::format("  range          {} {:.6g} effective radii, radius {}\n",
-                      lubcontact::RANGE_NAME[range_rule], hc, radius_rule ? "harmonic" : "mean");
+                      Lubcontact_NS::RANGE_NAME[range_rule], hc, radius_rule ? "harmonic" : "mean");
   text += fmt::format("  viscosity      {:.6g}{}\n", eta,
                       eta_name ? fmt::format(" now, variable {}", eta_name)
                                : (eta == 0.0 ? ": dry grains" : ""));

@@ -36,7 +36,7 @@ template <class T> static void append(std::string &bytes, const T &value)
 static void write_sealed(FILE *fp, const std::string &bytes)
 {
   const auto length = static_cast<int>(bytes.size());
-  const double sum = suspension::seal(bytes.data(), bytes.size());
+  const double sum = Suspension_NS::seal(bytes.data(), bytes.size());
   fwrite(&length, sizeof(int), 1, fp);
   fwrite(&sum, sizeof(double), 1, fp);
   fwrite(bytes.data(), 1, bytes.size(), fp);
@@ -54,7 +54,7 @@ static std::string read_sealed(FILE *fp, LAMMPS *lmp)
     if (length >= 0 && length <= MAX_LENGTH) {
       bytes.resize(length);
       const bool whole = fread(&bytes[0], 1, length, fp) == bytes.size();
-      if (!whole || suspension::seal(bytes.data(), bytes.size()) != sum) length = -1;
+      if (!whole || Suspension_NS::seal(bytes.data(), bytes.size()) != sum) length = -1;
     } else
       length = -1;
   }
@@ -149,7 +149,7 @@ void PairLubcontact::read_restart(FILE *fp)
 
 std::string PairLubcontact::coeff_words(int i, int j, const std::vector<std::string> &without) const
 {
-  using lubcontact::FrictionLaw;
+  using Lubcontact_NS::FrictionLaw;
   auto keeps = [&without](const char *effect) {
     return std::find(without.begin(), without.end(), effect) == without.end();
   };
@@ -160,7 +160,7 @@ std::string PairLubcontact::coeff_words(int i, int j, const std::vector<std::str
 
   std::string words =
       fmt::format("asperity {} roughness {} friction {}", asperity[i][j], roughness[i][j],
-                  lubcontact::FRICTION_NAME[static_cast<int>(friction_law)]);
+                  Lubcontact_NS::FRICTION_NAME[static_cast<int>(friction_law)]);
   if (friction_law != FrictionLaw::NONE) words += fmt::format(" {}", friction[i][j]);
   if (friction_law > FrictionLaw::COULOMB) words += fmt::format(" {}", critical[i][j]);
   if (adhesion[i][j] > 0.0 && keeps("adhesion"))

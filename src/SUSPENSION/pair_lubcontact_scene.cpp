@@ -24,7 +24,7 @@ using namespace LAMMPS_NS;
 const std::vector<std::string> PairLubcontact::EFFECTS = {
     "squeeze", "shear", "roll", "twist", "friction", "critical load", "adhesion", "repulsion"};
 
-static constexpr int COULOMB = static_cast<int>(lubcontact::FrictionLaw::COULOMB);
+static constexpr int COULOMB = static_cast<int>(Lubcontact_NS::FrictionLaw::COULOMB);
 
 /* ---------------------------------------------------------------------- */
 
@@ -37,7 +37,7 @@ bool PairLubcontact::uses(const std::string &effect) const
       if (!setflag[i][j]) continue;
       if (effect == "friction" && law[i][j] && friction[i][j] > 0.0) return true;
       if (law[i][j] > COULOMB && critical[i][j] > 0.0 &&
-          effect == lubcontact::FRICTION_NAME[law[i][j]])
+          effect == Lubcontact_NS::FRICTION_NAME[law[i][j]])
         return true;
       if (effect == "critical load" && law[i][j] > COULOMB && critical[i][j] > 0.0) return true;
       if (effect == "adhesion" && adhesion[i][j] > 0.0) return true;
@@ -69,7 +69,7 @@ void PairLubcontact::leave_out(const std::string &effect)
 
 void PairLubcontact::switch_on(const Laws &laws, double a)
 {
-  static constexpr int STEP = static_cast<int>(lubcontact::FrictionLaw::STEP);
+  static constexpr int STEP = static_cast<int>(Lubcontact_NS::FrictionLaw::STEP);
   auto given = [](double x) {
     return !std::isnan(x);
   };
@@ -101,8 +101,8 @@ void PairLubcontact::switch_on(const Laws &laws, double a)
 void PairLubcontact::adopt_history(unsigned from, const double *old, int itype, int jtype,
                                    double ri, double rj, double r, double *next) const
 {
-  scene::adopt_history(from, instance, coeffs[itype][jtype].normal, effective_radius(ri, rj),
-                       r - ri - rj, old, next);
+  Scene_NS::adopt_history(from, instance, coeffs[itype][jtype].normal, effective_radius(ri, rj),
+                          r - ri - rj, old, next);
 }
 
 /* ----------------------------------------------------------------------
@@ -120,8 +120,8 @@ std::string PairLubcontact::settings_text(const std::vector<std::string> &withou
 {
   std::string text = fmt::format("lubcontact {} {} {}",
                                  eta_name ? std::string("v_") + eta_name : fmt::format("{}", eta),
-                                 lubcontact::RANGE_NAME[range_rule], hc);
-  if (radius_rule == static_cast<int>(lubcontact::Radius::MEAN)) text += " radius mean";
+                                 Lubcontact_NS::RANGE_NAME[range_rule], hc);
+  if (radius_rule == static_cast<int>(Lubcontact_NS::Radius::MEAN)) text += " radius mean";
   bool on[NUM_MODES];
   for (int m = 0; m < NUM_MODES; m++) {
     const bool drop = std::find(without.begin(), without.end(), EFFECTS[m]) != without.end();

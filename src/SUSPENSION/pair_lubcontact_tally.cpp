@@ -36,7 +36,7 @@ void PairLubcontact::add_virial(Queue &queue) const
   Batch &b = queue.batch;
   if (!force->newton_pair)
     for (int l = 0; l < queue.n; l++)
-      put_lane(share(queue.j[l]) * lubcontact::get_lane(b.force, l), b.force, l);
+      put_lane(share(queue.j[l]) * Lubcontact_NS::get_lane(b.force, l), b.force, l);
   for (int l = queue.n; l < Batch::WIDTH; l++) put_lane(Vec3{}, b.force, l);
   add_products(b, queue.virial);
 }
@@ -47,7 +47,7 @@ void PairLubcontact::add_virial(Queue &queue) const
 
 void PairLubcontact::tally_partition(int i, int j, const PairGeometry &geometry, const Load &load)
 {
-  const auto force_of = lubcontact::force_by_channel(geometry, load);
+  const auto force_of = Lubcontact_NS::force_by_channel(geometry, load);
   const double weight = share(j);
   const Vec3 d = geometry.r * geometry.n;
   for (int m = 0; m < NUM_PARTS; m++) {

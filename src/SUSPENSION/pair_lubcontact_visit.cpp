@@ -16,11 +16,11 @@
 #include "neigh_list.h"
 
 using namespace LAMMPS_NS;
-using lubcontact::Film;
-using lubcontact::Load;
-using lubcontact::PairCoeffs;
-using lubcontact::PairGeometry;
-using lubcontact::Vec3;
+using Lubcontact_NS::Film;
+using Lubcontact_NS::Load;
+using Lubcontact_NS::PairCoeffs;
+using Lubcontact_NS::PairGeometry;
+using Lubcontact_NS::Vec3;
 
 // pair_load() of each combination of effects
 
@@ -31,23 +31,24 @@ template <unsigned... MASK>
 static PresentLoad present_load(unsigned instance, std::integer_sequence<unsigned, MASK...>)
 {
   PresentLoad load = nullptr;
-  ((MASK == instance ? void(load = &lubcontact::pair_load<lubcontact::Effects<MASK>>) : void()),
+  ((MASK == instance ? void(load = &Lubcontact_NS::pair_load<Lubcontact_NS::Effects<MASK>>)
+                     : void()),
    ...);
   return load;
 }
 
 static PresentLoad present_load(unsigned instance)
 {
-  using lubcontact::ADHESION, lubcontact::REPULSION;
+  using Lubcontact_NS::ADHESION, Lubcontact_NS::REPULSION;
   switch (instance & (ADHESION | REPULSION)) {
     case 0:
-      return present_load(instance, lubcontact::instances<0>());
+      return present_load(instance, Lubcontact_NS::instances<0>());
     case ADHESION:
-      return present_load(instance, lubcontact::instances<ADHESION>());
+      return present_load(instance, Lubcontact_NS::instances<ADHESION>());
     case REPULSION:
-      return present_load(instance, lubcontact::instances<REPULSION>());
+      return present_load(instance, Lubcontact_NS::instances<REPULSION>());
     default:
-      return present_load(instance, lubcontact::instances<ADHESION | REPULSION>());
+      return present_load(instance, Lubcontact_NS::instances<ADHESION | REPULSION>());
   }
 }
 
@@ -77,7 +78,7 @@ void PairLubcontact::visit_pairs(const Visitor &visit) const
 
       const double a = effective_radius(radius[i], radius[j]);
       const PairGeometry geometry =
-          lubcontact::pair_geometry(vector(x[i]), vector(x[j]), radius[i], radius[j], a);
+          Lubcontact_NS::pair_geometry(vector(x[i]), vector(x[j]), radius[i], radius[j], a);
       const int itype = atom->type[i], jtype = atom->type[j];
       const bool screened = faces_i && !faces_i[jj];
       const double end = screened ? touching_gap(coeffs[itype][jtype]) : reach[itype][jtype];

@@ -32,7 +32,7 @@
 #include <voro++/voro++.hh>
 
 using namespace LAMMPS_NS;
-using lubcontact::Vec3;
+using Lubcontact_NS::Vec3;
 
 // Smaller faces are none, so that ties of regular arrangements (Voro++ decides to 1e-11) do not
 // depend on the rounding of a rank. Over the largest radius squared; in 2d a length over it.
@@ -288,7 +288,7 @@ void PairLubcontact::require_voronoi(int) {}
 void PairLubcontact::request_ghosts()
 {
   return_ghosts();
-  if (range_rule != static_cast<int>(lubcontact::Range::VORONOI)) return;
+  if (range_rule != static_cast<int>(Lubcontact_NS::Range::VORONOI)) return;
   if (comm->mode != Comm::SINGLE)
     error->all(FLERR,
                "Pair style lubcontact range voronoi needs ghost atoms of all types at one "
@@ -306,7 +306,7 @@ void PairLubcontact::tessellate()
 {
   faces.clear();
   const bool films = mode[SQUEEZE] || mode[SHEAR] || mode[ROLL] || mode[TWIST];
-  if (range_rule != static_cast<int>(lubcontact::Range::VORONOI) || !films) return;
+  if (range_rule != static_cast<int>(Lubcontact_NS::Range::VORONOI) || !films) return;
 
   std::size_t total = 0;
   static constexpr std::size_t NO_LIST = -1;    // under hybrid: a particle of other styles

@@ -14,13 +14,15 @@
 // it gives an error instead of another simulation. FNV-1a (Fowler, Noll, Vo) of 64 bits, of which a
 // double holds 52 as a whole number.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <string>
 #include <type_traits>
 
-namespace suspension {
+namespace LAMMPS_NS::Suspension_NS {
 
 inline double seal(const void *data, std::size_t size)
 {
@@ -81,6 +83,45 @@ template <class State> const char *read_sealed(const char *buffer, State &state)
   return nullptr;
 }
 
-}    // namespace suspension
+// What a pair style writes: bytes with their number and seal in front.
+template <class T> void append_bytes(std::string &bytes, const T &value)
+{
+  static_assert(std::is_trivially_copyable<T>::value, "a value, not an object");
+  bytes.append(reinterpret_cast<const char *>(&value), sizeof(T));
+}
+
+// Takes a value from their front; zeros beyond their end.
+template <class T> void take_bytes(std::string &bytes, T &value)
+{
+  static_assert(std::is_trivially_copyable<T>::value, "a value, not an object");
+  std::memset(&value, 0, sizeof(T));
+  std::memcpy(&value, bytes.data(), std::min(sizeof(T), bytes.size()));
+  bytes.erase(0, sizeof(T));
+}
+
+inline void write_bytes(FILE *fp, const std::string &bytes)
+{
+  const auto length = static_cast<int>(bytes.size());
+  const double sum = seal(bytes.data(), bytes.size());
+  std::fwrite(&length, sizeof(int), 1, fp);
+  std::fwrite(&sum, sizeof(double), 1, fp);
+  std::fwrite(bytes.data(), 1, bytes.size(), fp);
+}
+
+// False if they are damaged, or not there.
+inline bool read_bytes(FILE *fp, std::string &bytes)
+{
+  static constexpr int MOST = 1 << 28;    // a million pairs of types and more
+  int length = 0;
+  double sum = 0.0;
+  if (std::fread(&length, sizeof(int), 1, fp) != 1 || std::fread(&sum, sizeof(double), 1, fp) != 1)
+    return false;
+  if (length < 0 || length > MOST) return false;
+  bytes.resize(length);
+  return std::fread(&bytes[0], 1, length, fp) == bytes.size() &&
+      seal(bytes.data(), bytes.size()) == sum;
+}
+
+}    // namespace LAMMPS_NS::Suspension_NS
 
 #endif

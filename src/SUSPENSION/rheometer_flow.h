@@ -21,7 +21,7 @@
 
 #include <cmath>
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 
 enum Flow { SHEAR, PLANAR, UNIAXIAL };
 
@@ -134,6 +134,6 @@ inline double oscillation_rate(double g0, double g1, double w, double t, double 
   return g0 + g1 * std::cos(w * (t + 0.5 * dt)) * sinc;
 }
 
-}    // namespace rheometer
+}    // namespace LAMMPS_NS::Rheometer_NS
 
 #endif

@@ -24,7 +24,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 
 // F of a flow along x with its gradient along y, and of extensions; the other components are zero
 struct Deformation {
@@ -88,6 +88,6 @@ inline bool list_holds(const Deformation &f, int dimension, double difference, d
   return smallest_stretch(f, dimension) * cut_and_skin - difference > cut_and_skin - skin;
 }
 
-}    // namespace rheometer
+}    // namespace LAMMPS_NS::Rheometer_NS
 
 #endif

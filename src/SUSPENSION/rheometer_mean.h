@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 
 enum Averaged { PRESSURE_MEAN, STRESS_MEAN, NUM_AVERAGED };
 
@@ -93,6 +93,6 @@ inline double mean_output(const StrainMeans &means, int n, double pressure, doub
   return values[n];
 }
 
-}    // namespace rheometer
+}    // namespace LAMMPS_NS::Rheometer_NS
 
 #endif

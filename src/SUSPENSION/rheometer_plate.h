@@ -14,7 +14,7 @@
 
 #include "rheometer_servo.h"
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 
 enum Plate { LOWER, UPPER };
 
@@ -51,6 +51,6 @@ inline double plate_step_limit(double mass, double stiffness)
   return 2.0 / std::sqrt(2.0 * stiffness / mass);
 }
 
-}    // namespace rheometer
+}    // namespace LAMMPS_NS::Rheometer_NS
 
 #endif

@@ -32,7 +32,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 
 static constexpr double LAG = 0.02;               // in strain
 static constexpr double PRESSURE_FLOOR = 1e-4;    // of the servos' rate, over 1/t
@@ -144,6 +144,6 @@ inline bool jammed(const Watch &w)
   return w.age > PATIENCE && w.deviation < JAMMED;
 }
 
-}    // namespace rheometer
+}    // namespace LAMMPS_NS::Rheometer_NS
 
 #endif

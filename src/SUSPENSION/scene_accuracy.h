@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // What accuracy costs: proposes settings for a tolerance of the shear viscosity. The laws were
 // measured by benchmarks/accuracy_cost at phi 0.5, friction 0.5, range cut 0.5; test tools.accuracy
 // compares each constant with the runs in its suspension.csv. Errors are relative, against the
@@ -15,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace scene {
+namespace LAMMPS_NS::Scene_NS {
 
 // change of the viscosity = coefficient x^exponent, measured for x in [low, high]; below low the
 // law interpolates to 0, above high nothing is promised
@@ -189,6 +198,6 @@ inline std::vector<std::string> remarks(double tolerance, const Scene &s)
   return out;
 }
 
-}    // namespace scene
+}    // namespace LAMMPS_NS::Scene_NS
 
 #endif

@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Before a run the pressure of a scene is known by its volume fraction only, and where contacts may
 // rub or slip, or pack better than spheres of one size, only within bounds: what holds at both is
 // said, what does not is left to a run.
@@ -11,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace scene {
+namespace LAMMPS_NS::Scene_NS {
 
 // at the least and at the largest pressure, or once
 inline std::vector<Numbers> numbers_at_bounds(const Scene &s)
@@ -103,6 +112,6 @@ inline bool still_changing(const Scene &s, double first, double second, double s
   return std::fabs(second - first) > mean * std::fmax(0.5, 3.0 * chance);
 }
 
-}    // namespace scene
+}    // namespace LAMMPS_NS::Scene_NS
 
 #endif

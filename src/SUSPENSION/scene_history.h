@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // The history of a pair carried over to a pair style with other effects.
 
 #ifndef SCENE_HISTORY_H
@@ -11,15 +20,15 @@
 #include <utility>
 #include <vector>
 
-namespace scene {
+namespace LAMMPS_NS::Scene_NS {
 
 // first slot of each part, in the order of lubcontact_effects.h, and the end
 using Slots = std::array<int, 7>;
 
 template <unsigned MASK> constexpr Slots slots_of()
 {
-  using E = lubcontact::Effects<MASK>;
-  static_assert(lubcontact::Effects<lubcontact::NUM_COMBINATIONS - 1>::HISTORY_SIZE == 11,
+  using E = Lubcontact_NS::Effects<MASK>;
+  static_assert(Lubcontact_NS::Effects<Lubcontact_NS::NUM_COMBINATIONS - 1>::HISTORY_SIZE == 11,
                 "a part of the history is missing here");
   return {E::GAP_SLOT,   E::SURFACE_SLOT, E::SHEAR_SLOT,  E::ROLL_SLOT,
           E::TWIST_SLOT, E::BOND_SLOT,    E::HISTORY_SIZE};
@@ -33,7 +42,7 @@ template <std::size_t... MASK> Slots slots_of(unsigned mask, std::index_sequence
 
 inline Slots slots_of(unsigned mask)
 {
-  return slots_of(mask, std::make_index_sequence<lubcontact::NUM_COMBINATIONS>());
+  return slots_of(mask, std::make_index_sequence<Lubcontact_NS::NUM_COMBINATIONS>());
 }
 
 // for each slot of a history with effects to: its slot with effects from, -1 if it has none
@@ -49,19 +58,20 @@ inline std::vector<int> history_map(unsigned from, unsigned to)
   return map;
 }
 
-static constexpr unsigned EVERYTHING = lubcontact::NUM_COMBINATIONS - 1;
-using Whole = lubcontact::Effects<EVERYTHING>;
+static constexpr unsigned EVERYTHING = Lubcontact_NS::NUM_COMBINATIONS - 1;
+using Whole = Lubcontact_NS::Effects<EVERYTHING>;
 
 // All slots of a pair at un that has a gap and a bond already, or null; the rest as of a pair seen
 // for the first time, with the extensions X of the normal mode.
 template <unsigned X>
-std::array<double, Whole::HISTORY_SIZE> new_slots(const lubcontact::NormalCoeffs &c, double a,
+std::array<double, Whole::HISTORY_SIZE> new_slots(const Lubcontact_NS::NormalCoeffs &c, double a,
                                                   double un, const double *gap, const double *bond)
 {
   std::array<double, Whole::HISTORY_SIZE> slots{};
-  const bool touch = gap ? gap[0] < c.gap.eps : lubcontact::elastic_contact<X>(c, a, un / a, false);
+  const bool touch = gap ? gap[0] < c.gap.eps
+                         : Lubcontact_NS::elastic_contact<X>(c, a, un / a, false);
   const bool holds = bond ? *bond != 0.0 : touch;
-  const double u = gap ? gap[0] : lubcontact::elastic_gap<X>(c, a, un / a, holds);
+  const double u = gap ? gap[0] : Lubcontact_NS::elastic_gap<X>(c, a, un / a, holds);
   slots[Whole::GAP_SLOT] = u;
   slots[Whole::GAP_SLOT + 1] = std::log(u);
   slots[Whole::SURFACE_SLOT] = un;
@@ -71,10 +81,10 @@ std::array<double, Whole::HISTORY_SIZE> new_slots(const lubcontact::NormalCoeffs
 
 // History with effects `to` from `old` with effects `from`. a, un: effective radius and gap of the
 // undeformed surfaces, lengths.
-inline void adopt_history(unsigned from, unsigned to, const lubcontact::NormalCoeffs &c, double a,
-                          double un, const double *old, double *next)
+inline void adopt_history(unsigned from, unsigned to, const Lubcontact_NS::NormalCoeffs &c,
+                          double a, double un, const double *old, double *next)
 {
-  using lubcontact::ADHESION, lubcontact::REPULSION;
+  using Lubcontact_NS::ADHESION, Lubcontact_NS::REPULSION;
   enum { GAP, SURFACE, BOND = 5 };
   const Slots source = slots_of(from);
   if (source[SURFACE + 1] > source[SURFACE]) un = old[source[SURFACE]];
@@ -90,6 +100,6 @@ inline void adopt_history(unsigned from, unsigned to, const lubcontact::NormalCo
     next[m] = map[m] >= 0 ? old[map[m]] : fresh[place[m]];
 }
 
-}    // namespace scene
+}    // namespace LAMMPS_NS::Scene_NS
 
 #endif

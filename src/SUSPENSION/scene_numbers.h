@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // The dimensionless numbers of a scene. Unknown input gives unknown numbers.
 
 #ifndef SCENE_NUMBERS_H
@@ -8,7 +17,7 @@
 #include <limits>
 #include <string>
 
-namespace scene {
+namespace LAMMPS_NS::Scene_NS {
 
 static constexpr double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
 inline bool known(double x)
@@ -176,6 +185,6 @@ inline std::string show(double x)
   return text;
 }
 
-}    // namespace scene
+}    // namespace LAMMPS_NS::Scene_NS
 
 #endif

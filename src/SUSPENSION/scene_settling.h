@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // A scene without shear, in which particles fall: what is known of it. The laws of sheared
 // suspensions say nothing here.
 
@@ -9,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace scene {
+namespace LAMMPS_NS::Scene_NS {
 
 // of a sphere of the mean radius; weight: mass times gravity, as it acts in LAMMPS
 struct Settling {
@@ -138,6 +147,6 @@ inline std::vector<std::string> settling_warnings(const Scene &s, const Settling
   return out;
 }
 
-}    // namespace scene
+}    // namespace LAMMPS_NS::Scene_NS
 
 #endif

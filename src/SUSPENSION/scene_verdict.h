@@ -1,3 +1,12 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
 // Which effects does a scene call for? One table of thresholds with their sources, one line of
 // judgement per effect. The manual page suspension_scene quotes the table.
 
@@ -9,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace scene {
+namespace LAMMPS_NS::Scene_NS {
 
 enum Limit {
   DRY,
@@ -362,6 +371,6 @@ inline std::vector<std::string> warnings(const Scene &s, const Numbers &n)
   return out;
 }
 
-}    // namespace scene
+}    // namespace LAMMPS_NS::Scene_NS
 
 #endif

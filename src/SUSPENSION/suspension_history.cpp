@@ -10,12 +10,11 @@
 #include "suspension_history.h"
 
 #include "comm.h"
-#include "compute_stress_partition.h"
 #include "domain.h"
 #include "error.h"
 #include "group.h"
 #include "pair_lubcontact.h"
-#include "rheometer_target.h"
+#include "suspension_host.h"
 
 #include <string>
 
@@ -35,11 +34,11 @@ void SuspensionHistory::command(int narg, char **arg)
   if (igroup < 0)
     error->all(FLERR, WHOSE, "Group {} of command suspension_history does not exist", arg[1]);
 
-  if (!find_lubcontact(lmp))
+  if (Suspension_NS::all_lubcontact(lmp).empty())
     error->all(FLERR,
                "Command suspension_history is of pair_style lubcontact, which is not defined");
   bigint forgotten = 0;
-  for (const auto &pair : ComputeStressPartition::find_pairs(lmp, "suspension_history"))
+  for (const auto &pair : PairLubcontact::all(lmp))
     forgotten += pair->forget_history(group->bitmask[igroup]);
   const bigint members = group->count(igroup);
   if (comm->me == 0)

@@ -14,23 +14,24 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
-#include "missing_argument.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
 #include "scene_numbers.h"
+#include "suspension_host.h"
+#include "suspension_input.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using scene::known;
-using scene::UNKNOWN;
+using Scene_NS::known;
+using Scene_NS::UNKNOWN;
 
 /* ---------------------------------------------------------------------- */
 
 SuspensionScene::SuspensionScene(LAMMPS *lmp) :
-    Command(lmp), scene(new scene::Scene()), pair(nullptr), walls(false), limit_known(false),
+    Command(lmp), scene(new Scene_NS::Scene()), pair(nullptr), walls(false), limit_known(false),
     total_mass(0.0), screening(UNKNOWN), tolerance(UNKNOWN), brief(false)
 {
 }
@@ -45,8 +46,7 @@ void SuspensionScene::command(int narg, char **arg)
 {
   if (!domain->box_exist || atom->natoms == 0)
     error->all(FLERR, "Suspension_scene needs particles: use it after they are created");
-  if (!atom->radius_flag || !atom->rmass_flag)
-    error->all(FLERR, "Suspension_scene needs finite-size spheres; use: atom_style sphere");
+  Suspension_NS::require_spheres(lmp, "Suspension_scene");
   if (narg > 0 && strcmp(arg[0], "measure") == 0) {
     measure(narg, arg);
     return;
@@ -135,7 +135,8 @@ void SuspensionScene::parse(int narg, char **arg)
       error->all(FLERR, iarg, "Unknown suspension_scene keyword: {}; those that exist: {}",
                  arg[iarg], names);
     }
-    require_words(FLERR, error, "suspension_scene", narg - iarg, std::string(arg[iarg]) + " value");
+    Suspension_NS::require_words(FLERR, error, "suspension_scene", narg - iarg,
+                                 std::string(arg[iarg]) + " value");
     take(*found, iarg, arg);
     const bool length = strcmp(found->name, "repulsion") == 0 && iarg + 2 < narg;
     if (length && utils::is_double(arg[iarg + 2])) {

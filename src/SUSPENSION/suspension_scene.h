@@ -23,17 +23,17 @@ CommandStyle(suspension_scene,SuspensionScene);
 #include <string>
 #include <vector>
 
-namespace rheometer {
+namespace LAMMPS_NS::Rheometer_NS {
 struct StrainMeans;
 }
 
-namespace scene {
+namespace LAMMPS_NS::Scene_NS {
 struct Numbers;
 struct Plan;
 struct Scene;
 struct Settling;
 struct Verdict;
-}    // namespace scene
+}    // namespace LAMMPS_NS::Scene_NS
 
 namespace LAMMPS_NS {
 
@@ -46,7 +46,7 @@ class SuspensionScene : public Command {
 
  protected:
   // advice from the numbers of the scene
-  std::unique_ptr<scene::Scene> scene;
+  std::unique_ptr<Scene_NS::Scene> scene;
   PairLubcontact *pair;    // or null
   bool walls;
   bool limit_known;    // of the time step, from the last run
@@ -72,28 +72,28 @@ class SuspensionScene : public Command {
   void read_pair();
   void read_flow();
   void read_plates();
-  void read_pressure(const rheometer::StrainMeans &, double);
+  void read_pressure(const Rheometer_NS::StrainMeans &, double);
   void read_gravity();
   bool falls() const;
   std::string report() const;
   std::string advice_for_falling() const;
   std::string advice_for_shear() const;
-  std::string table(const std::vector<scene::Verdict> &) const;
+  std::string table(const std::vector<Scene_NS::Verdict> &) const;
   std::string describe() const;
   std::string describe_pressure() const;
   std::string describe_numbers() const;
-  std::string describe_settling(const scene::Settling &) const;
+  std::string describe_settling(const Scene_NS::Settling &) const;
   std::string doubts_of_pressure() const;
   bool overdamped() const;
-  std::string law_words(const std::vector<scene::Verdict> &) const;
+  std::string law_words(const std::vector<Scene_NS::Verdict> &) const;
   std::string drag_line() const;
-  std::string pair_line(const std::vector<scene::Verdict> &,
+  std::string pair_line(const std::vector<Scene_NS::Verdict> &,
                         const std::vector<std::string> &) const;
   std::string room_for_inertia(bool) const;
-  std::string deck_lines(const std::vector<scene::Verdict> &) const;
+  std::string deck_lines(const std::vector<Scene_NS::Verdict> &) const;
 
   // settings for a tolerance
-  std::string plan_text(const scene::Plan &) const;
+  std::string plan_text(const Scene_NS::Plan &) const;
   std::string stiffer_coeffs(double) const;
   std::string tolerance_lines() const;
 

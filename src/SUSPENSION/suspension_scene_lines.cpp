@@ -23,19 +23,20 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using scene::known;
-using scene::show;
-using scene::Verdict;
+using Scene_NS::known;
+using Scene_NS::show;
+using Scene_NS::Verdict;
 
 namespace {
 
 // effects as PairLubcontact calls them, in the order of its list: four films, four laws
-constexpr scene::Effect OF_PAIR[] = {
-    scene::SQUEEZE_FILM, scene::SHEAR_FILM,    scene::ROLLING_FILM, scene::TWISTING_FILM,
-    scene::FRICTION_LAW, scene::CRITICAL_LOAD, scene::ADHESION,     scene::REPULSION};
+constexpr Scene_NS::Effect OF_PAIR[] = {Scene_NS::SQUEEZE_FILM, Scene_NS::SHEAR_FILM,
+                                        Scene_NS::ROLLING_FILM, Scene_NS::TWISTING_FILM,
+                                        Scene_NS::FRICTION_LAW, Scene_NS::CRITICAL_LOAD,
+                                        Scene_NS::ADHESION,     Scene_NS::REPULSION};
 constexpr int FILMS = 4;
 
-std::vector<std::string> with_answer(const std::vector<Verdict> &verdicts, scene::Answer answer)
+std::vector<std::string> with_answer(const std::vector<Verdict> &verdicts, Scene_NS::Answer answer)
 {
   std::vector<std::string> names;
   for (std::size_t m = 0; m < std::size(OF_PAIR); m++)
@@ -79,16 +80,17 @@ std::string SuspensionScene::drag_line() const
 
 std::string SuspensionScene::law_words(const std::vector<Verdict> &verdicts) const
 {
-  const scene::Scene &s = *scene;
+  const Scene_NS::Scene &s = *scene;
   auto lacks = [&](const char *effect) {
     return !pair || !pair->uses(effect);
   };
-  auto needs = [&](scene::Effect law, const char *effect) {
-    return verdicts[law].answer == scene::NEEDED && lacks(effect);
+  auto needs = [&](Scene_NS::Effect law, const char *effect) {
+    return verdicts[law].answer == Scene_NS::NEEDED && lacks(effect);
   };
   std::string words;
-  const bool rubs = verdicts[scene::FRICTION_LAW].answer != scene::NOT_NEEDED && known(s.friction);
-  if (rubs && needs(scene::CRITICAL_LOAD, "critical load"))
+  const bool rubs =
+      verdicts[Scene_NS::FRICTION_LAW].answer != Scene_NS::NOT_NEEDED && known(s.friction);
+  if (rubs && needs(Scene_NS::CRITICAL_LOAD, "critical load"))
     words += fmt::format(" friction clm step {} {}", s.friction, s.critical);
   else if (rubs && lacks("friction"))
     words += fmt::format(" friction coulomb {}", s.friction);
@@ -97,9 +99,9 @@ std::string SuspensionScene::law_words(const std::vector<Verdict> &verdicts) con
     int dim;
     k = static_cast<double **>(pair->extract("asperity", dim))[1][1];
   }
-  if (needs(scene::ADHESION, "adhesion") && known(k))
+  if (needs(Scene_NS::ADHESION, "adhesion") && known(k))
     words += fmt::format(" adhesion {}", s.adhesion / (k * s.radius));
-  if (needs(scene::REPULSION, "repulsion") && known(screening))
+  if (needs(Scene_NS::REPULSION, "repulsion") && known(screening))
     words += fmt::format(" repulsion {} {}", s.repulsion, screening);
   return words;
 }
@@ -114,7 +116,7 @@ std::string SuspensionScene::pair_line(const std::vector<Verdict> &verdicts,
   std::string text, on;
   if (pair) {
     text = pair->settings_text(idle);
-    for (const auto &name : with_answer(verdicts, scene::NEEDED)) {
+    for (const auto &name : with_answer(verdicts, Scene_NS::NEEDED)) {
       const std::string off = " " + name + " no";
       const auto place = text.find(off);
       if (!is_film(name) || place == std::string::npos) continue;
@@ -136,9 +138,9 @@ std::string SuspensionScene::pair_line(const std::vector<Verdict> &verdicts,
 
 std::string SuspensionScene::room_for_inertia(bool squeeze) const
 {
-  const double St = scene::numbers(*scene).St;
-  const double limit = squeeze ? scene::THRESHOLD[scene::INERTIAL].value / 4.0
-                               : scene::THRESHOLD[scene::SQUEEZE_INERTIA].value;
+  const double St = Scene_NS::numbers(*scene).St;
+  const double limit = squeeze ? Scene_NS::THRESHOLD[Scene_NS::INERTIAL].value / 4.0
+                               : Scene_NS::THRESHOLD[Scene_NS::SQUEEZE_INERTIA].value;
   const double room = limit / St;
   if (!(room > 1.5) || overdamped()) return "";
   return fmt::format("  # inertia does not show: density {} allows a step {} times larger\n",
@@ -149,12 +151,12 @@ std::string SuspensionScene::room_for_inertia(bool squeeze) const
 
 std::string SuspensionScene::deck_lines(const std::vector<Verdict> &verdicts) const
 {
-  const scene::Scene &s = *scene;
+  const Scene_NS::Scene &s = *scene;
   if (!known(s.rate) && !known(s.pressure))
     return "No deck lines: what may be left out was measured in shear; define the flow before "
            "this command, or give rate g\n";
 
-  const std::vector<std::string> idle = with_answer(verdicts, scene::NOT_NEEDED);
+  const std::vector<std::string> idle = with_answer(verdicts, Scene_NS::NOT_NEEDED);
   std::string text = "Deck lines to use\n", line;
   if (pair || known(s.viscosity)) line = pair_line(verdicts, idle);
   text += line;
@@ -169,10 +171,10 @@ std::string SuspensionScene::deck_lines(const std::vector<Verdict> &verdicts) co
     if (pair && pair->uses(name)) gone += (gone.empty() ? " " : ", ") + name;
   if (!gone.empty()) text += "  # left out, not needed by the table above:" + gone + "\n";
 
-  if (verdicts[scene::DRAG].answer == scene::NEEDED) text += drag_line();
-  if (s.dt / s.dt_limit > scene::THRESHOLD[scene::STEP].value)
+  if (verdicts[Scene_NS::DRAG].answer == Scene_NS::NEEDED) text += drag_line();
+  if (s.dt / s.dt_limit > Scene_NS::THRESHOLD[Scene_NS::STEP].value)
     text += fmt::format("  timestep {}\n", show(0.4 * s.dt_limit));
-  if (verdicts[scene::INERTIA].answer == scene::NOT_NEEDED)
+  if (verdicts[Scene_NS::INERTIA].answer == Scene_NS::NOT_NEEDED)
     text += room_for_inertia(line.find(" squeeze no") == std::string::npos);
   return text;
 }

@@ -22,11 +22,11 @@
 #include "group.h"
 #include "lubcontact_channels.h"
 #include "lubcontact_power.h"
-#include "missing_argument.h"
 #include "modify.h"
 #include "scene_instance.h"
 #include "scene_sampler.h"
 #include "scene_verdict.h"
+#include "suspension_input.h"
 #include "timer.h"
 #include "update.h"
 
@@ -35,7 +35,7 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using scene::UNKNOWN;
+using Scene_NS::UNKNOWN;
 using Effects = SceneInstance::Effects;
 
 static constexpr int BLOCKS = 10;    // of a run; the second half counts
@@ -51,17 +51,17 @@ struct Row {
   const char *cure;
 };
 static constexpr Row ROWS[] = {
-    {"squeeze", lubcontact::LUBRICATION_NORMAL, lubcontact::SQUEEZE_FILM, ""},
-    {"shear", lubcontact::LUBRICATION_TANGENTIAL, lubcontact::SHEAR_FILM, ""},
-    {"roll", -1, lubcontact::ROLL_FILM, ""},
-    {"twist", -1, lubcontact::TWIST_FILM, ""},
-    {"friction", lubcontact::CONTACT_TANGENTIAL, lubcontact::FRICTION_CONTACT,
+    {"squeeze", Lubcontact_NS::LUBRICATION_NORMAL, Lubcontact_NS::SQUEEZE_FILM, ""},
+    {"shear", Lubcontact_NS::LUBRICATION_TANGENTIAL, Lubcontact_NS::SHEAR_FILM, ""},
+    {"roll", -1, Lubcontact_NS::ROLL_FILM, ""},
+    {"twist", -1, Lubcontact_NS::TWIST_FILM, ""},
+    {"friction", Lubcontact_NS::CONTACT_TANGENTIAL, Lubcontact_NS::FRICTION_CONTACT,
      "give its coefficient with 'friction mu'"},
     {"critical load", -1, -1, "give it with 'critical F', and friction with 'friction mu'"},
-    {"adhesion", -1, lubcontact::NORMAL_CONTACT, "give the pull-off force with 'adhesion F'"},
-    {"repulsion", 5, lubcontact::REPULSIVE_FORCE,
+    {"adhesion", -1, Lubcontact_NS::NORMAL_CONTACT, "give the pull-off force with 'adhesion F'"},
+    {"repulsion", 5, Lubcontact_NS::REPULSIVE_FORCE,
      "give its force and length with 'repulsion F lambda'"},
-    {SceneInstance::DRAG, -1, lubcontact::NUM_ORIGINS, "add fix drag/background to the script"}};
+    {SceneInstance::DRAG, -1, Lubcontact_NS::NUM_ORIGINS, "add fix drag/background to the script"}};
 
 // means over the blocks that count
 struct SuspensionScene::Measured {
@@ -234,7 +234,7 @@ void SuspensionScene::measure(int narg, char **arg)
 
 SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) const
 {
-  require_words(FLERR, error, "suspension_scene", narg, "measure N ...");
+  Suspension_NS::require_words(FLERR, error, "suspension_scene", narg, "measure N ...");
   Options options;
   if (!utils::is_integer(arg[1]))
     error->all(FLERR, 1, "Suspension_scene measure needs a number of steps before keywords, not {}",
@@ -268,7 +268,8 @@ SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) co
                  arg[iarg]);
     places[found - keywords] = iarg;
     const int count = static_cast<int>(found->values.size());
-    require_words(FLERR, error, "suspension_scene measure", narg - iarg, found->usage);
+    Suspension_NS::require_words(FLERR, error, "suspension_scene measure", narg - iarg,
+                                 found->usage);
     for (int n = 1; n <= count; n++) {
       const double value = utils::numeric(FLERR, arg[iarg + n], false, lmp);
       if (!(value > 0.0))

@@ -21,17 +21,17 @@
 #include "modify.h"
 #include "pair_lubcontact.h"
 #include "rheometer_mean.h"
-#include "rheometer_target.h"
 #include "scene_instance.h"
 #include "scene_numbers.h"
+#include "suspension_host.h"
 #include "update.h"
 
 #include <cmath>
 
 using namespace LAMMPS_NS;
 using MathConst::MY_PI;
-using scene::known;
-using scene::UNKNOWN;
+using Scene_NS::known;
+using Scene_NS::UNKNOWN;
 
 static constexpr double MANY = 12.0;       // neighbors of a crowded particle
 static constexpr double SHORTEST = 0.1;    // strain of a mean: less is a snapshot
@@ -40,16 +40,16 @@ static constexpr double SHORTEST = 0.1;    // strain of a mean: less is a snapsh
 
 void SuspensionScene::read_particles()
 {
-  const bool discs = domain->dimension == 2;
   // number, radii, their squares and cubes, volume, area or volume, mass
   double mine[7] = {}, sum[7];
   double mine_max[2] = {-HUGE_VAL, -HUGE_VAL}, max[2];
   for (int i = 0; i < atom->nlocal; i++) {
     const double r = atom->radius[i];
     if (r == 0.0) continue;
-    const double volume = 4.0 / 3.0 * MY_PI * r * r * r;
-    const double values[7] = {
-        1.0, r, r * r, r * r * r, volume, discs ? MY_PI * r * r : volume, atom->rmass[i]};
+    const double volume = 4.0 / 3.0 * MY_PI * r * r * r;    // discs have the mass of spheres
+    const double values[7] = {1.0,           r,      r * r,
+                              r * r * r,     volume, Suspension_NS::particle_volume(domain, r),
+                              atom->rmass[i]};
     for (int n = 0; n < 7; n++) mine[n] += values[n];
     mine_max[0] = MAX(mine_max[0], r);
     mine_max[1] = MAX(mine_max[1], -r);
@@ -69,7 +69,7 @@ void SuspensionScene::read_particles()
     scene->skew = (sum[3] / sum[0] - 3.0 * a * square - a * a * a) / (square * sqrt(square));
   scene->density = sum[6] / sum[4] * force->mvv2e;
   total_mass = sum[6];
-  scene->phi = sum[5] / (domain->xprd * domain->yprd * (discs ? 1.0 : domain->zprd));
+  scene->phi = sum[5] / Suspension_NS::cell_volume(domain);
   scene->dt = update->dt;
 }
 
@@ -77,9 +77,7 @@ void SuspensionScene::read_particles()
 
 void SuspensionScene::read_box()
 {
-  const double *hi = domain->h_inv;
-  const double height[3] = {1.0 / sqrt(hi[0] * hi[0] + hi[5] * hi[5] + hi[4] * hi[4]),
-                            1.0 / sqrt(hi[1] * hi[1] + hi[3] * hi[3]), 1.0 / hi[2]};
+  const auto height = Suspension_NS::cell_heights(domain);
   for (int d = 0; d < domain->dimension; d++) {
     if (domain->periodicity[d])
       scene->box = known(scene->box) ? MIN(scene->box, height[d]) : height[d];
@@ -94,8 +92,9 @@ void SuspensionScene::read_box()
 
 void SuspensionScene::read_pair()
 {
-  pair = dynamic_cast<PairLubcontact *>(find_lubcontact(lmp));
-  if (!pair) return;
+  const auto pairs = PairLubcontact::all(lmp);
+  if (pairs.empty()) return;
+  pair = pairs.front();
   scene->viscosity = pair->viscosity();
   int dim;
   const auto *const *g = static_cast<double **>(pair->extract("g", dim));
@@ -123,8 +122,8 @@ void SuspensionScene::read_pair()
       if (forces.pull_off > 0.0) scene->adhesion = -less(-scene->adhesion, -forces.pull_off);
       if (forces.repulsion > 0.0) scene->repulsion = -less(-scene->repulsion, -forces.repulsion);
     }
-  if (pair->uses("clm shift")) scene->critical_law = scene::SHIFT_LAW;
-  if (pair->uses("clm ramp")) scene->critical_law = scene::RAMP_LAW;
+  if (pair->uses("clm shift")) scene->critical_law = Scene_NS::SHIFT_LAW;
+  if (pair->uses("clm ramp")) scene->critical_law = Scene_NS::RAMP_LAW;
   limit_known = pair->dt_limit > 0.0 && std::isfinite(pair->dt_limit);
   if (limit_known) {    // masses may have changed since
     scene->dt_limit = pair->dt_limit * sqrt(total_mass / pair->dt_limit_mass);
@@ -180,9 +179,9 @@ void SuspensionScene::read_plates()
    mean over the last unit of strain; of less than SHORTEST it says nothing
 ------------------------------------------------------------------------- */
 
-void SuspensionScene::read_pressure(const rheometer::StrainMeans &means, double unit)
+void SuspensionScene::read_pressure(const Rheometer_NS::StrainMeans &means, double unit)
 {
-  using namespace rheometer;
+  using namespace Rheometer_NS;
   const StrainBlock all = total(means);
   measured.strain = all.strain;
   if (all.strain < SHORTEST) return;

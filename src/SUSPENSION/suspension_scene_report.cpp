@@ -20,10 +20,10 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using scene::known;
-using scene::Numbers;
-using scene::show;
-using scene::Verdict;
+using Scene_NS::known;
+using Scene_NS::Numbers;
+using Scene_NS::show;
+using Scene_NS::Verdict;
 
 /* ---------------------------------------------------------------------- */
 
@@ -55,18 +55,18 @@ static std::string as_lines(const std::vector<std::string> &warnings)
 
 std::string SuspensionScene::advice_for_falling() const
 {
-  const scene::Settling fall = scene::settling(*scene);
+  const Scene_NS::Settling fall = Scene_NS::settling(*scene);
   return (brief ? "" : describe() + describe_settling(fall)) +
-      table(scene::judge_settling(*scene, fall)) +
-      as_lines(scene::settling_warnings(*scene, fall)) +
+      table(Scene_NS::judge_settling(*scene, fall)) +
+      as_lines(Scene_NS::settling_warnings(*scene, fall)) +
       "No deck lines: this scene is not sheared, and nothing was measured of others\n";
 }
 
 std::string SuspensionScene::advice_for_shear() const
 {
-  const auto verdicts = scene::judge_at_bounds(*scene);
+  const auto verdicts = Scene_NS::judge_at_bounds(*scene);
   std::string text = brief ? "" : describe() + describe_numbers();
-  text += table(verdicts) + as_lines(scene::warnings_at_bounds(*scene));
+  text += table(verdicts) + as_lines(Scene_NS::warnings_at_bounds(*scene));
   if (!gravity.empty())
     text += "  warning: the numbers are those of the shear; what gravity does (" + gravity +
         ") is in none of them\n";
@@ -79,8 +79,8 @@ std::string SuspensionScene::table(const std::vector<Verdict> &verdicts) const
 {
   std::string text = "Which effects this scene calls for\n";
   for (const Verdict &v : verdicts)
-    text += fmt::format("  {:<18} {:<20} {}\n", scene::EFFECT_NAME[v.effect],
-                        scene::ANSWER_NAME[v.answer], v.why);
+    text += fmt::format("  {:<18} {:<20} {}\n", Scene_NS::EFFECT_NAME[v.effect],
+                        Scene_NS::ANSWER_NAME[v.answer], v.why);
   return text;
 }
 
@@ -90,7 +90,7 @@ std::string SuspensionScene::table(const std::vector<Verdict> &verdicts) const
 
 std::string SuspensionScene::doubts_of_pressure() const
 {
-  const scene::Scene &s = *scene;
+  const Scene_NS::Scene &s = *scene;
   const double unit = force->nktv2p;
   std::string text;
   if (!measured.used) return text;
@@ -98,11 +98,11 @@ std::string SuspensionScene::doubts_of_pressure() const
     text += fmt::format("  warning: the pressure is a mean over a strain of {} only; a packing "
                         "takes two units to flow steadily\n",
                         show(measured.strain));
-  if (scene::still_changing(s, measured.first, measured.second, measured.strain))
+  if (Scene_NS::still_changing(s, measured.first, measured.second, measured.strain))
     text += fmt::format("  warning: the pressure is not steady, {} and then {} in the two halves "
                         "of this strain: run on, or give it: pressure P\n",
                         show(measured.first * unit), show(measured.second * unit));
-  const scene::Doubt doubt = scene::doubt_pressure(s, s.pressure);
+  const Scene_NS::Doubt doubt = Scene_NS::doubt_pressure(s, s.pressure);
   if (doubt.any)
     text += fmt::format("  warning: the measured pressure {} is far from that of steady flow at "
                         "this phi, {} to {}: run until it is steady, or give it: pressure P\n",
@@ -115,7 +115,7 @@ std::string SuspensionScene::doubts_of_pressure() const
 
 std::string SuspensionScene::describe_pressure() const
 {
-  const auto numbers = scene::numbers_at_bounds(*scene);
+  const auto numbers = Scene_NS::numbers_at_bounds(*scene);
   const double unit = force->nktv2p, low = numbers.front().pressure, high = numbers.back().pressure;
   std::string text = show(low * unit);
   if (low < high)
@@ -135,7 +135,7 @@ std::string SuspensionScene::describe_pressure() const
 
 std::string SuspensionScene::describe() const
 {
-  const scene::Scene &s = *scene;
+  const Scene_NS::Scene &s = *scene;
   std::string text = "Suspension scene: what is there\n";
   text += fmt::format("  particles       {:.0f} {}, radius {} ({} to {}, spread {}), density {}\n",
                       s.particles, s.dimension == 2.0 ? "discs" : "spheres", show(s.radius),
@@ -165,7 +165,7 @@ std::string SuspensionScene::describe() const
 
 std::string SuspensionScene::describe_numbers() const
 {
-  const auto n = scene::numbers_at_bounds(*scene);
+  const auto n = Scene_NS::numbers_at_bounds(*scene);
   const std::pair<const char *, double Numbers::*> rows[] = {
       {"St = rho a^2 rate/eta", &Numbers::St},   {"Iv = eta rate/P", &Numbers::Iv},
       {"I = d rate sqrt(rho/P)", &Numbers::I},   {"Iv + I^2/10", &Numbers::K},
@@ -174,13 +174,13 @@ std::string SuspensionScene::describe_numbers() const
       {"Re = rho_f a^2 rate/eta", &Numbers::Re}, {"phi/phi_m of the friction", &Numbers::crowding}};
   std::string text = "Dimensionless numbers\n";
   for (const auto &row : rows)
-    text += fmt::format("  {:<26} {}\n", row.first, scene::show(n, row.second));
+    text += fmt::format("  {:<26} {}\n", row.first, Scene_NS::show(n, row.second));
   return text;
 }
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::describe_settling(const scene::Settling &n) const
+std::string SuspensionScene::describe_settling(const Scene_NS::Settling &n) const
 {
   std::string text = "A sphere of the mean radius that falls\n";
   const std::pair<const char *, double> rows[] = {

@@ -21,10 +21,10 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using scene::known;
-using scene::Numbers;
-using scene::Plan;
-using scene::show;
+using Scene_NS::known;
+using Scene_NS::Numbers;
+using Scene_NS::Plan;
+using Scene_NS::show;
 
 static constexpr double WIDE = 1.5;    // bounds of the pressure: the stiffness rests on it
 
@@ -37,13 +37,14 @@ static std::string percent(double x)
    what the plan cannot do without; empty: all there
 ------------------------------------------------------------------------- */
 
-static std::string missing(const scene::Scene &s, const Numbers &n, const Pair *pair)
+static std::string missing(const Scene_NS::Scene &s, const Numbers &n, const Pair *pair)
 {
   if (s.dimension != 3.0) return "measured for spheres only";
   if (!(s.viscosity > 0.0)) return "measured in a fluid only: give its viscosity eta";
   if (!known(s.rate) || s.rate == 0.0) return "give the shear rate: rate g";
   if (!known(n.pressure)) return "give the pressure: pressure P";
-  const scene::Bounds bounds = known(s.pressure) ? scene::Bounds{} : scene::steady_pressure(s);
+  const Scene_NS::Bounds bounds = known(s.pressure) ? Scene_NS::Bounds{}
+                                                    : Scene_NS::steady_pressure(s);
   if (bounds.high > WIDE * bounds.low)
     return "the pressure, on which the stiffness rests, is not known before a run: run first, or "
            "give it: pressure P";
@@ -59,28 +60,28 @@ static std::string missing(const scene::Scene &s, const Numbers &n, const Pair *
 
 std::string SuspensionScene::plan_text(const Plan &p) const
 {
-  const scene::Scene &s = *scene;
+  const Scene_NS::Scene &s = *scene;
   std::string text = fmt::format("  {:<26} {:>10} {:>10}\n", "source of error", "setting", "error");
   const std::string settings[] = {show(p.step), show(p.softness), show(p.St),
                                   fmt::format("{:.0f}", p.particles)};
   static constexpr const char *NAME[] = {"dt/limit", "P/(E eps)", "St", "N"};
-  for (int c = 0; c < scene::NO_TWIST; c++)
+  for (int c = 0; c < Scene_NS::NO_TWIST; c++)
     text += fmt::format("  {:<26} {:>10} {:>10}\n",
-                        fmt::format("{}, {}", scene::CAUSE_NAME[c], NAME[c]), settings[c],
+                        fmt::format("{}, {}", Scene_NS::CAUSE_NAME[c], NAME[c]), settings[c],
                         percent(p.change[c]));
   text += fmt::format("  {:<26} {:>10} {:>10}\n", "twisting film", p.twist ? "on" : "off",
-                      percent(p.change[scene::NO_TWIST]));
+                      percent(p.change[Scene_NS::NO_TWIST]));
   text += fmt::format("  {:<26} {:>10} {:>10}\n", "doubt of the above", "", percent(p.doubt));
   text += fmt::format("  {:<26} {:>10} {:>10}\n", "scatter, strain averaged", show(p.strain),
                       percent(p.scatter));
   text += fmt::format("  promised: {} (sum of the errors, twice doubt and scatter), {} expected\n",
                       percent(p.promised()), percent(std::hypot(p.expected(), p.scatter)));
-  const double strain = scene::SETTLE + p.strain;
+  const double strain = Scene_NS::SETTLE + p.strain;
   text += fmt::format("  cost: {} CPU seconds of the benchmark's machine = {} per particle and "
                       "unit of strain x N {} x "
                       "strain {} ({} to settle)\n",
                       show(p.cost), show(p.cost / p.particles / strain), p.particles, show(strain),
-                      scene::SETTLE);
+                      Scene_NS::SETTLE);
   if (s.particles < 0.9 * p.particles)
     text += fmt::format("  more particles are needed: {} instead of {:.0f}\n", p.particles,
                         s.particles);
@@ -91,7 +92,7 @@ static double softest(Pair *pair, int ntypes)
 {
   int dim;
   const auto *const *g = static_cast<double **>(pair->extract("g", dim));
-  double least = scene::UNKNOWN;
+  double least = Scene_NS::UNKNOWN;
   for (int i = 1; i <= ntypes; i++)
     for (int j = i; j <= ntypes; j++)
       if (pair->setflag[i][j]) least = known(least) ? MIN(least, g[i][j]) : g[i][j];
@@ -125,10 +126,10 @@ std::string SuspensionScene::stiffer_coeffs(double factor) const
 
 std::string SuspensionScene::tolerance_lines() const
 {
-  scene::Scene s = *scene;
+  Scene_NS::Scene s = *scene;
   if (pair)
     s.g = softest(pair, atom->ntypes);    // the limit of the time step is that of the pair style
-  const Numbers n = scene::numbers(s);
+  const Numbers n = Scene_NS::numbers(s);
   std::string text = fmt::format("Settings for a viscosity within {} of the converged solution of "
                                  "this model\n",
                                  percent(tolerance));
@@ -140,13 +141,13 @@ std::string SuspensionScene::tolerance_lines() const
   text += doubts_of_pressure();
   const std::string lack = missing(s, n, pair);
   if (!lack.empty()) return text + "  cannot tell: " + lack + "\n";
-  const Plan p = scene::plan(tolerance, s, n, s.dt_limit);
+  const Plan p = Scene_NS::plan(tolerance, s, n, s.dt_limit);
   if (!p.possible)
     return text +
         fmt::format("  cannot promise it: what was measured is good for {} at best\n",
-                    percent(scene::finest(s, n, s.dt_limit)));
+                    percent(Scene_NS::finest(s, n, s.dt_limit)));
   text += plan_text(p);
-  for (const std::string &remark : scene::remarks(tolerance, s)) text += "  " + remark + "\n";
+  for (const std::string &remark : Scene_NS::remarks(tolerance, s)) text += "  " + remark + "\n";
   if ((pair->settings_text({}) + " ").find(" cut 0.5 ") == std::string::npos)
     text += "  measured with range cut 0.5, which is part of the model: errors and cost are "
             "estimates\n";
@@ -162,7 +163,7 @@ std::string SuspensionScene::tolerance_lines() const
   auto steps = [&s, dt](double strain) {
     return std::ceil(strain / std::fabs(s.rate) / dt);
   };
-  text += fmt::format("  run {:.0f}    # to settle\n", steps(scene::SETTLE));
+  text += fmt::format("  run {:.0f}    # to settle\n", steps(Scene_NS::SETTLE));
   text += fmt::format("  run {:.0f}    # to average: tools/steady.py\n", steps(p.strain));
   return text;
 }

@@ -13,7 +13,7 @@
 
 namespace hard_cases {
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 
 // The functions of one mask of effects.
 struct Law {

@@ -8,7 +8,7 @@
 
 namespace testing_tools {
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 
 struct Case {
   PairCoeffs c;

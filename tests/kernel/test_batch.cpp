@@ -4,7 +4,7 @@
 
 #include <vector>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 namespace {

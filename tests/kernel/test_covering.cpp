@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 
 constexpr double DT = 1e-3;
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 
 namespace {
 

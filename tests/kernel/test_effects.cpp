@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 // Without adhesion; one letter a double, in order: g gap and its logarithm, u surface, s shear,

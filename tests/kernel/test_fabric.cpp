@@ -3,7 +3,7 @@
 #include "lubcontact_fabric.h"
 #include "tools.h"
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 TEST(Fabric, OfIsotropicDirectionsIsAThirdOfTheIdentity)

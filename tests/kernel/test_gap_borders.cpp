@@ -5,7 +5,7 @@
 #include "quadrature.h"
 #include "tools.h"
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 namespace {

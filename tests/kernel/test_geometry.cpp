@@ -3,7 +3,7 @@
 #include "lubcontact_geometry.h"
 #include "tools.h"
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 
 static constexpr Elastic GLASS{70e9, 0.25, 1e-4}, PLASTIC{3e9, 0.4, 3e-4};
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include "reference/gap_reference.h"
 #include "tools.h"
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 namespace {

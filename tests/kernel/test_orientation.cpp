@@ -6,7 +6,7 @@
 
 #include <vector>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 TEST(Orientation, AzimuthGoesFromTheFirstAxisOfThePlaneToTheSecond)

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-using namespace rheometer;
+using namespace LAMMPS_NS::Rheometer_NS;
 
 namespace {
 

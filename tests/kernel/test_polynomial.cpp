@@ -8,7 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 TEST(Polynomial, IsTheSumOfItsTermsForEvenAndOddLength)

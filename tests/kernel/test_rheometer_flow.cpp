@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-using namespace rheometer;
+using namespace LAMMPS_NS::Rheometer_NS;
 using namespace testing_tools;
 
 static Cell moved(const Cell &h, const Gradient &g, double dt)

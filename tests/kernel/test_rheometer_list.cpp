@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace rheometer;
+using namespace LAMMPS_NS::Rheometer_NS;
 
 std::mt19937 &generator()
 {

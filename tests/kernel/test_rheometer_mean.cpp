@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-using namespace rheometer;
+using namespace LAMMPS_NS::Rheometer_NS;
 
 static double value(const StrainMeans &means, int n)
 {

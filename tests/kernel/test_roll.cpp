@@ -4,7 +4,7 @@
 #include "lubcontact_roll.h"
 #include "tools.h"
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 TEST(Roll, WithRigidFilmIsASpring)

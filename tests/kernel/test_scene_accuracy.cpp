@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-using namespace scene;
+using namespace LAMMPS_NS::Scene_NS;
 
 // the base of benchmarks/accuracy_cost: phi 0.5, all known
 static Scene base()

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace scene;
+using namespace LAMMPS_NS::Scene_NS;
 
 // Seto's mixture, 1:1.4 in equal volumes, with a critical load; a = rate = eta = 1
 static Scene mixture()

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-using namespace lubcontact;
-using scene::history_map;
+using namespace LAMMPS_NS::Lubcontact_NS;
+using LAMMPS_NS::Scene_NS::history_map;
 
 static constexpr unsigned ALL = NUM_COMBINATIONS - 1;
 
@@ -13,7 +13,7 @@ TEST(SceneHistory, IsCarriedOverAsItIs)
 {
   for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
     const std::vector<int> map = history_map(mask, mask);
-    ASSERT_EQ(static_cast<int>(map.size()), scene::slots_of(mask).back());
+    ASSERT_EQ(static_cast<int>(map.size()), LAMMPS_NS::Scene_NS::slots_of(mask).back());
     for (int m = 0; m < static_cast<int>(map.size()); m++) EXPECT_EQ(map[m], m);
   }
 }
@@ -49,8 +49,8 @@ using History = std::vector<double>;
 static History adopt(unsigned from, unsigned to, double un, const History &old,
                      const NormalCoeffs &c = sticky())
 {
-  History next(scene::slots_of(to).back(), -9.0);
-  scene::adopt_history(from, to, c, 2.0, un, old.data(), next.data());
+  History next(LAMMPS_NS::Scene_NS::slots_of(to).back(), -9.0);
+  LAMMPS_NS::Scene_NS::adopt_history(from, to, c, 2.0, un, old.data(), next.data());
   return next;
 }
 

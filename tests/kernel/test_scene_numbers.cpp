@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-using scene::known;
-using scene::Numbers;
-using scene::Scene;
+using LAMMPS_NS::Scene_NS::known;
+using LAMMPS_NS::Scene_NS::Numbers;
+using LAMMPS_NS::Scene_NS::Scene;
 
 // corn-starch sized glass beads in water, SI: a = 50 um, rho = 2500, eta = 1e-3, rate 10, P = 1
 static Scene beads()
@@ -32,7 +32,7 @@ static Scene beads()
 
 TEST(SceneNumbers, OfBeadsInWater)
 {
-  const Numbers n = scene::numbers(beads());
+  const Numbers n = LAMMPS_NS::Scene_NS::numbers(beads());
   EXPECT_NEAR(n.St, 0.0625, 1e-12);
   EXPECT_NEAR(n.Re, 0.025, 1e-12);
   EXPECT_NEAR(n.Iv, 0.01, 1e-14);
@@ -53,7 +53,7 @@ TEST(SceneNumbers, OfBeadsInWater)
 
 TEST(SceneNumbers, InertiaOverViscosityIsTheStokesNumberOfTheDiameter)
 {
-  const Numbers n = scene::numbers(beads());
+  const Numbers n = LAMMPS_NS::Scene_NS::numbers(beads());
   EXPECT_NEAR(n.I * n.I / n.Iv, 4.0 * n.St, 1e-12);
   EXPECT_NEAR(n.Ca * n.stiffness, n.Iv, 1e-14);
 }
@@ -62,7 +62,7 @@ TEST(SceneNumbers, DoNotDependOnTheSignOfTheRate)
 {
   Scene s = beads();
   s.rate = -s.rate;
-  const Numbers n = scene::numbers(s);
+  const Numbers n = LAMMPS_NS::Scene_NS::numbers(s);
   EXPECT_NEAR(n.Iv, 0.01, 1e-14);
   EXPECT_NEAR(n.St, 0.0625, 1e-12);
 }
@@ -70,36 +70,36 @@ TEST(SceneNumbers, DoNotDependOnTheSignOfTheRate)
 TEST(SceneNumbers, UnknownInputGivesUnknownNumbers)
 {
   Scene s = beads();
-  s.rate = s.thermal = s.fluid_density = s.dt_limit = scene::UNKNOWN;
-  const Numbers n = scene::numbers(s);
+  s.rate = s.thermal = s.fluid_density = s.dt_limit = LAMMPS_NS::Scene_NS::UNKNOWN;
+  const Numbers n = LAMMPS_NS::Scene_NS::numbers(s);
   EXPECT_FALSE(known(n.St) || known(n.Iv) || known(n.I) || known(n.Pe) || known(n.Re));
   EXPECT_FALSE(known(n.step));
   EXPECT_TRUE(known(n.stiffness));    // the pressure is given
-  EXPECT_EQ(scene::show(n.St), "?");
+  EXPECT_EQ(LAMMPS_NS::Scene_NS::show(n.St), "?");
 }
 
 // phi = phi_m/(1 + sqrt(Iv)): at Iv = 0.01 of friction 0.5, 0.5737/1.1 = 0.5216
 TEST(SceneNumbers, PressureIsEstimatedFromTheVolumeFraction)
 {
   Scene s = beads();
-  s.pressure = scene::UNKNOWN;
-  s.phi = scene::jamming_fraction(0.5) / 1.1;
-  const Numbers n = scene::numbers(s);
+  s.pressure = LAMMPS_NS::Scene_NS::UNKNOWN;
+  s.phi = LAMMPS_NS::Scene_NS::jamming_fraction(0.5) / 1.1;
+  const Numbers n = LAMMPS_NS::Scene_NS::numbers(s);
   EXPECT_TRUE(n.estimated);
   EXPECT_NEAR(n.Iv, 0.01, 1e-12);
   EXPECT_NEAR(n.pressure, 1.0, 1e-10);
   s.phi = 0.6;    // jammed
-  EXPECT_FALSE(known(scene::numbers(s).pressure));
+  EXPECT_FALSE(known(LAMMPS_NS::Scene_NS::numbers(s).pressure));
   s.phi = 0.4;
   s.dimension = 2.0;    // no such law
-  EXPECT_FALSE(known(scene::numbers(s).pressure));
+  EXPECT_FALSE(known(LAMMPS_NS::Scene_NS::numbers(s).pressure));
 }
 
 TEST(SceneNumbers, DryGrainsHaveNoStokesNumber)
 {
   Scene s = beads();
   s.viscosity = 0.0;
-  const Numbers n = scene::numbers(s);
+  const Numbers n = LAMMPS_NS::Scene_NS::numbers(s);
   EXPECT_FALSE(known(n.St) || known(n.Re));
   EXPECT_EQ(n.Iv, 0.0);
   EXPECT_NEAR(n.K, 0.1 * n.I * n.I, 1e-15);
@@ -108,33 +108,34 @@ TEST(SceneNumbers, DryGrainsHaveNoStokesNumber)
 // printed values of the law: 0.6301 without friction, 0.574 at 0.5, 0.5507 at infinity
 TEST(SceneNumbers, FrictionMovesJamming)
 {
-  EXPECT_NEAR(scene::jamming_fraction(0.0), 0.6301, 1e-12);
-  EXPECT_NEAR(scene::jamming_fraction(0.5), 0.574, 5e-4);
-  EXPECT_NEAR(scene::jamming_fraction(1e9), 0.5507, 1e-12);
+  EXPECT_NEAR(LAMMPS_NS::Scene_NS::jamming_fraction(0.0), 0.6301, 1e-12);
+  EXPECT_NEAR(LAMMPS_NS::Scene_NS::jamming_fraction(0.5), 0.574, 5e-4);
+  EXPECT_NEAR(LAMMPS_NS::Scene_NS::jamming_fraction(1e9), 0.5507, 1e-12);
 }
 
 // measured in examples/shear_rate at phi 0.5: 34 with friction 0.5, 11 without
 TEST(SceneNumbers, GainOfFriction)
 {
-  EXPECT_NEAR(scene::friction_gain(0.5, 0.5), 1.58, 0.05);
-  EXPECT_NEAR(scene::friction_gain(0.5, 0.0), 0.0, 1e-14);
-  EXPECT_LT(scene::friction_gain(0.05, 0.5), 0.05);
-  EXPECT_TRUE(std::isinf(scene::friction_gain(0.6, 0.5)));
+  EXPECT_NEAR(LAMMPS_NS::Scene_NS::friction_gain(0.5, 0.5), 1.58, 0.05);
+  EXPECT_NEAR(LAMMPS_NS::Scene_NS::friction_gain(0.5, 0.0), 0.0, 1e-14);
+  EXPECT_LT(LAMMPS_NS::Scene_NS::friction_gain(0.05, 0.5), 0.05);
+  EXPECT_TRUE(std::isinf(LAMMPS_NS::Scene_NS::friction_gain(0.6, 0.5)));
 }
 
 // to the digits of the laws: 0.6301 - 0.0794 (1 - 1/e), and 6 pi eta a^3 rate/kT
 TEST(SceneNumbers, CoefficientsOfTheLaws)
 {
-  EXPECT_NEAR(scene::jamming_fraction(0.4032), 0.57990962762900, 1e-12);
+  EXPECT_NEAR(LAMMPS_NS::Scene_NS::jamming_fraction(0.4032), 0.57990962762900, 1e-12);
   const double kT = 1.380649e-23 * 300.0;
-  EXPECT_NEAR(scene::numbers(beads()).Pe * kT / (1e-2 * 1.25e-13), 18.849555921538759, 1e-12);
+  EXPECT_NEAR(LAMMPS_NS::Scene_NS::numbers(beads()).Pe * kT / (1e-2 * 1.25e-13), 18.849555921538759,
+              1e-12);
 }
 
 TEST(SceneNumbers, NothingIsEstimatedAtTheBorders)
 {
-  EXPECT_FALSE(known(scene::viscous_number(0.55, 0.55)));
-  EXPECT_TRUE(known(scene::viscous_number(0.55, 0.5500001)));
+  EXPECT_FALSE(known(LAMMPS_NS::Scene_NS::viscous_number(0.55, 0.55)));
+  EXPECT_TRUE(known(LAMMPS_NS::Scene_NS::viscous_number(0.55, 0.5500001)));
   Scene s = beads();
   s.pressure = 0.0;
-  EXPECT_FALSE(known(scene::numbers(s).Iv));
+  EXPECT_FALSE(known(LAMMPS_NS::Scene_NS::numbers(s).Iv));
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace scene;
+using namespace LAMMPS_NS::Scene_NS;
 
 // a glass bead in water, SI: a = 50 um; Stokes by hand
 static Scene bead()

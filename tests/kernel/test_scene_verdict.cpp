@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-using namespace scene;
+using namespace LAMMPS_NS::Scene_NS;
 
 // dense, viscous, rough, hard and slow: everything known, all numbers away from their thresholds
 static Scene paste()

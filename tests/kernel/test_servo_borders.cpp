@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-using namespace rheometer;
+using namespace LAMMPS_NS::Rheometer_NS;
 using namespace testing_tools;
 
 namespace {

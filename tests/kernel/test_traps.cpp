@@ -11,7 +11,7 @@
 #include <cfenv>
 #include <vector>
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 namespace {
@@ -179,14 +179,15 @@ TEST(Traps, WithoutDragWithoutFlowWithoutStress)
   exceptions();
   EXPECT_EQ(mean_drag(zero), 1.0);
   EXPECT_EQ(mean_drag_full(zero), 1.0);
-  EXPECT_EQ(rheometer::decay_mean(zero), 1.0);
-  EXPECT_EQ(rheometer::oscillation_rate(zero, 1.0, zero, zero, 0.1), 1.0);
-  EXPECT_EQ(rheometer::damped_velocity(2.0, zero, 1.0, zero, 0.1), 2.0);
-  const rheometer::Material m{1.0, 1.0, 2.0, 4.0};
-  EXPECT_EQ(rheometer::next_rate(m, zero, zero, zero, 1.0, 0.1), 0.0);
-  EXPECT_EQ(rheometer::dilation_limit(m, zero, zero, 1.0), 0.0);
-  EXPECT_EQ(rheometer::watch({}, zero, zero, 0.1).age, 0.0);
-  const rheometer::Gradient g = rheometer::gradient(rheometer::SHEAR, 3, zero, zero, 0.1);
-  EXPECT_EQ(rheometer::change(g, g, zero).xy, 0.0);
+  EXPECT_EQ(LAMMPS_NS::Rheometer_NS::decay_mean(zero), 1.0);
+  EXPECT_EQ(LAMMPS_NS::Rheometer_NS::oscillation_rate(zero, 1.0, zero, zero, 0.1), 1.0);
+  EXPECT_EQ(LAMMPS_NS::Rheometer_NS::damped_velocity(2.0, zero, 1.0, zero, 0.1), 2.0);
+  const LAMMPS_NS::Rheometer_NS::Material m{1.0, 1.0, 2.0, 4.0};
+  EXPECT_EQ(LAMMPS_NS::Rheometer_NS::next_rate(m, zero, zero, zero, 1.0, 0.1), 0.0);
+  EXPECT_EQ(LAMMPS_NS::Rheometer_NS::dilation_limit(m, zero, zero, 1.0), 0.0);
+  EXPECT_EQ(LAMMPS_NS::Rheometer_NS::watch({}, zero, zero, 0.1).age, 0.0);
+  const LAMMPS_NS::Rheometer_NS::Gradient g =
+      LAMMPS_NS::Rheometer_NS::gradient(LAMMPS_NS::Rheometer_NS::SHEAR, 3, zero, zero, 0.1);
+  EXPECT_EQ(LAMMPS_NS::Rheometer_NS::change(g, g, zero).xy, 0.0);
   EXPECT_EQ(exceptions(), "");
 }

@@ -2,7 +2,7 @@
 
 #include "tools.h"
 
-using namespace lubcontact;
+using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
 TEST(Vec3, SumDifferenceAndMultipleActOnEachComponent)

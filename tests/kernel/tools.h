@@ -16,7 +16,7 @@
 
 namespace testing_tools {
 
-using lubcontact::Vec3;
+using LAMMPS_NS::Lubcontact_NS::Vec3;
 
 static constexpr double PI_ = 3.141592653589793;
 
@@ -48,7 +48,8 @@ struct Random {
 inline Vec3 rotated(const Vec3 &a, const Vec3 &axis, double angle)
 {
   const double c = std::cos(angle), s = std::sin(angle);
-  return c * a + s * lubcontact::cross(axis, a) + ((1.0 - c) * lubcontact::dot(axis, a)) * axis;
+  return c * a + s * LAMMPS_NS::Lubcontact_NS::cross(axis, a) +
+      ((1.0 - c) * LAMMPS_NS::Lubcontact_NS::dot(axis, a)) * axis;
 }
 
 // Three sinusoids of angular frequency 0.3 to 1.3 about zero, at most `size` in all.
