@@ -91,7 +91,7 @@ template <unsigned MASK>
       b.g[l] = COEFFS.normal.g;
       b.asperity[l] = COEFFS.normal.asperity;
       b.alpha[l] = COEFFS.normal.gap.alpha;
-      b.eps[l] = COEFFS.normal.gap.eps;
+      b.eps_a[l] = COEFFS.normal.gap.eps_a;
       b.ln_eps[l] = COEFFS.normal.gap.ln_eps;
       b.kt[l] = COEFFS.kt;
       b.mu[l] = COEFFS.mu;

@@ -131,7 +131,7 @@ std::string SceneAdviser::tolerance_lines() const
   text += plan_text(p);
   for (const std::string &remark : Scene_NS::remarks(tolerance, s)) text += "  " + remark + "\n";
   const Lubcontact_NS::Settings &given = law.settings;
-  if (given.range != MEASURED_RANGE || given.reach != MEASURED_REACH)
+  if (given.range != MEASURED_RANGE || given.reach_a != MEASURED_REACH)
     text += "  measured with range cut 0.5, which is part of the model: errors and cost are "
             "estimates\n";
 

@@ -61,10 +61,10 @@ std::array<double, Whole::HISTORY_SIZE> new_slots(const Lubcontact_NS::NormalCoe
                                                   double un, const double *gap, const double *bond)
 {
   std::array<double, Whole::HISTORY_SIZE> slots{};
-  const bool touch = gap ? gap[0] < c.gap.eps
+  const bool touch = gap ? gap[0] < c.gap.eps_a
                          : Lubcontact_NS::elastic_contact<X>(c, a, un / a, false);
   const bool holds = bond ? *bond != 0.0 : touch;
-  const double u = gap ? gap[0] : Lubcontact_NS::elastic_gap<X>(c, a, un / a, holds);
+  const double u = gap ? gap[0] : Lubcontact_NS::elastic_gap_a<X>(c, a, un / a, holds);
   slots[Whole::GAP_SLOT] = u;
   slots[Whole::GAP_SLOT + 1] = std::log(u);
   slots[Whole::SURFACE_SLOT] = un;

@@ -90,7 +90,7 @@ inline bool same_law(const Lubcontact_NS::Law &one, const Lubcontact_NS::Law &ot
                     });
   };
   const auto &s = one.settings, &t = other.settings;
-  return s.viscosity == t.viscosity && s.reach == t.reach && s.range == t.range &&
+  return s.viscosity == t.viscosity && s.reach_a == t.reach_a && s.range == t.range &&
       s.radius == t.radius && s.euler == t.euler && s.films == t.films &&
       s.roll_coeff == t.roll_coeff &&
       std::equal(one.rows.begin(), one.rows.end(), other.rows.begin(), other.rows.end(), same);
@@ -127,7 +127,7 @@ inline Lubcontact_NS::Law switched_on(Lubcontact_NS::Law law, const SurfaceLaws 
       if (c.law == FrictionLaw::COULOMB) c.law = FrictionLaw::STEP;
       c.critical = laws.critical;
     }
-    if (known(laws.pull_off)) c.adhesion = laws.pull_off / (c.asperity * a);
+    if (known(laws.pull_off)) c.adhesion_a = laws.pull_off / (c.asperity * a);
     if (known(laws.repulsion)) {
       c.repulsion = laws.repulsion;
       c.screening = laws.screening;
@@ -143,7 +143,7 @@ struct SurfaceForces {
 
 inline SurfaceForces surface_forces(const Lubcontact_NS::TypeCoeffs &c, double a)
 {
-  return {c.critical, c.asperity * c.adhesion * a, c.repulsion};
+  return {c.critical, c.asperity * c.adhesion_a * a, c.repulsion};
 }
 
 // stiffer by a factor: all springs alike
@@ -179,7 +179,7 @@ inline void describe_law(const Lubcontact_NS::Law &law, Scene &s)
   };
   s.g = softest(law);
   each_pair(law, [&](int, int, const auto &c) {
-    s.roughness = smaller(s.roughness, c.roughness);
+    s.roughness = smaller(s.roughness, c.roughness_a);
     s.friction = larger(s.friction, c.friction);
     const SurfaceForces forces = surface_forces(c, s.radius);
     if (forces.critical > 0.0) {

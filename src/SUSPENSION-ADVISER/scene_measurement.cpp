@@ -297,7 +297,7 @@ void SceneMeasurement::check_laws(const Options &options, const Lubcontact_NS::L
                "too");
   if (!options.adhesion_word) return;
   Scene_NS::each_pair(law, [&](int i, int j, const Lubcontact_NS::TypeCoeffs &c) {
-    if (c.roughness == 0.0)
+    if (c.roughness_a == 0.0)
       error->all(FLERR, options.adhesion_word,
                  "Suspension_scene measure adhesion is of asperities, but types {} {} have none: "
                  "give them a roughness > 0",

@@ -24,11 +24,11 @@ struct Batch {
 
   // in: i as seen from j, which is at rest in the origin
   Lanes x[3], v[3], omega_i[3], omega_j[3], radius_i, radius_j, a;
-  Lanes g, asperity, alpha, eps, ln_eps, kt, mu;
-  Lanes least, shift, per_ramp;       // THRESHOLD
-  Lanes release, ln_release;          // ADHESION
-  Lanes repulsion, per_screening;     // REPULSION
-  Lanes history[HISTORY];    // in and out
+  Lanes g, asperity, alpha, eps_a, ln_eps, kt, mu;
+  Lanes least, shift, per_ramp;      // THRESHOLD
+  Lanes release_a, ln_release;       // ADHESION
+  Lanes repulsion, per_screening;    // REPULSION
+  Lanes history[HISTORY];            // in and out
 
   // out; all void in a lane that is not usual (0)
   Lanes usual, force[3], torque_i[3], torque_j[3];
@@ -66,9 +66,9 @@ template <class E> inline void step_lane(Batch &b, int l, const Film &f, double 
   const Body j{{}, {}, get_lane(b.omega_j, l), b.radius_j[l]};
   const PairGeometry g = pair_geometry(i.x, j.x, i.radius, j.radius, b.a[l]);
   PairCoeffs c{
-      {b.g[l], b.asperity[l], {b.alpha[l], b.eps[l], b.ln_eps[l], false}}, b.kt[l], b.mu[l]};
+      {b.g[l], b.asperity[l], {b.alpha[l], b.eps_a[l], b.ln_eps[l], false}}, b.kt[l], b.mu[l]};
   if constexpr (E::threshold) c.threshold = {b.least[l], b.shift[l], b.per_ramp[l]};
-  if constexpr (E::adhesion) c.normal.gap.release = b.release[l];
+  if constexpr (E::adhesion) c.normal.gap.release_a = b.release_a[l];
   if constexpr (E::adhesion) c.normal.gap.ln_release = b.ln_release[l];
   if constexpr (E::repulsion) c.normal.repulsion = {b.repulsion[l], b.per_screening[l]};
   double history[E::HISTORY_SIZE + 1];
@@ -108,8 +108,8 @@ template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
   }
   // the constant of CUT saves three divisions
   if (E::squeeze && f.shift == 0.0)
-    step_lanes<E>(b, {f.viscosity, f.range, 0.0, f.shear_end, f.roll_end, f.twist_end, f.roll_coeff},
-                  dt);
+    step_lanes<E>(
+        b, {f.viscosity, f.reach_a, 0.0, f.shear_end, f.roll_end, f.twist_end, f.roll_coeff}, dt);
   else
     step_lanes<E>(b, f, dt);
 }

@@ -116,7 +116,7 @@ void lubcontact_checks::check_coefficients(LAMMPS *lmp, const Law &law, bool vis
   const bool given = any_pair(law, [](const TypeCoeffs &c) {
     return c.asperity != c.g;
   });
-  if (given && !any_positive(law, &TypeCoeffs::roughness) && lmp->comm->me == 0)
+  if (given && !any_positive(law, &TypeCoeffs::roughness_a) && lmp->comm->me == 0)
     lmp->error->warning(FLERR,
                         "Pair style lubcontact asperity does nothing: it is the stiffness of "
                         "asperities, but the roughness is 0");
@@ -128,7 +128,7 @@ void lubcontact_checks::check_repulsion(LAMMPS *lmp, const Law &law, double smal
 {
   static constexpr double MOST = 1e-3;    // of the force at closed gap
   if (lmp->comm->me) return;
-  const double reach = law.settings.reach;
+  const double reach = law.settings.reach_a;
   for (int i = 1; i <= law.types; i++)
     for (int j = i; j <= law.types; j++) {
       const TypeCoeffs &c = law.of(i, j);

@@ -22,15 +22,15 @@
 namespace LAMMPS_NS::Lubcontact_NS {
 
 struct TypeCoeffs {
-  double g = 0.0;            // stiffness of the bulk, force/length; 0: pair of another style
-  double kt = 0.0;           // tangential stiffness, force/length
-  double asperity = 0.0;     // stiffness of the asperities, force/length
-  double roughness = 0.0;    // height of the asperities over the effective radius
-  double friction = 0.0;     // coefficient of friction
-  double critical = 0.0;     // critical load of the law of friction, force
-  double adhesion = 0.0;     // stretch that asperities hold, over the effective radius
-  double repulsion = 0.0;    // force at closed gap
-  double screening = 0.0;    // its length, length; 0: no repulsion
+  double g = 0.0;              // stiffness of the bulk, force/length; 0: pair of another style
+  double kt = 0.0;             // tangential stiffness, force/length
+  double asperity = 0.0;       // stiffness of the asperities, force/length
+  double roughness_a = 0.0;    // height of the asperities over the effective radius
+  double friction = 0.0;       // coefficient of friction
+  double critical = 0.0;       // critical load of the law of friction, force
+  double adhesion_a = 0.0;     // stretch that asperities hold, over the effective radius
+  double repulsion = 0.0;      // force at closed gap
+  double screening = 0.0;      // its length, length; 0: no repulsion
   FrictionLaw law = FrictionLaw::NONE;
 };
 
@@ -54,10 +54,10 @@ inline constexpr Column COLUMNS[] = {
     {&TypeCoeffs::g, "g", "stiffness g", false, Mixing::SERIES},
     {&TypeCoeffs::kt, "kt", "stiffness kt", false, Mixing::SERIES},
     {&TypeCoeffs::asperity, "asperity", "asperity stiffness", false, Mixing::SERIES},
-    {&TypeCoeffs::roughness, "roughness", "roughness", true, Mixing::MEAN},
+    {&TypeCoeffs::roughness_a, "roughness", "roughness", true, Mixing::MEAN},
     {&TypeCoeffs::friction, "friction", "coefficient of friction", true, Mixing::GEOMETRIC},
     {&TypeCoeffs::critical, "critical", "critical load", true, Mixing::GEOMETRIC},
-    {&TypeCoeffs::adhesion, "adhesion", "adhesion", true, Mixing::GEOMETRIC},
+    {&TypeCoeffs::adhesion_a, "adhesion", "adhesion", true, Mixing::GEOMETRIC},
     {&TypeCoeffs::repulsion, "repulsion", "repulsion", true, Mixing::GEOMETRIC},
     {&TypeCoeffs::screening, "screening", "screening length", true, Mixing::WITH_LAST}};
 inline constexpr std::size_t NUM_COLUMNS = sizeof(COLUMNS) / sizeof(Column);
@@ -105,7 +105,7 @@ inline TypeCoeffs mixed(const TypeCoeffs &one, const TypeCoeffs &other)
 // What is wrong with coefficients that a user or fix adapt has set, and the cure; empty: nothing.
 inline std::string complaint(const TypeCoeffs &c)
 {
-  if (c.adhesion > 0.0 && c.roughness == 0.0)
+  if (c.adhesion_a > 0.0 && c.roughness_a == 0.0)
     return "adhesion is of asperities, but their roughness is 0: give them one > 0";
   if (c.law == FrictionLaw::NONE && c.friction > 0.0)
     return "there is no friction that could be changed: give pair_coeff friction coulomb 0 first";

@@ -9,8 +9,9 @@
 
 // Evolution of the gap u between the deformed surfaces of a pair, over one time step.
 //
-// Film, asperities (stiffness k) and bulk (stiffness g) in series, lengths in a, time in
-// tau = (3/2) pi eta a/g:
+// Film, asperities (stiffness k) and bulk (stiffness g) in series. In this file every length is over
+// a, in formulas without the suffix: u is u_a, eps is eps_a. Times are over tau = (3/2) pi eta a/g,
+// that of a step is `steps`:
 //     du/dt = u (r - A u),   no contact (u >= eps): r = un, A = 1
 //                            contact    (u <  eps): r = un + alpha eps, A = 1 + alpha, alpha = k/g
 // Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020), with the time
@@ -33,10 +34,10 @@
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
-// Gap over a, and its logarithm: u may underflow where ln_u does not, and is kept beside it so that
-// a step need not take the exponential of its own logarithm.
+// Gap of the deformed surfaces and its logarithm: u_a may underflow where ln_u does not, and is kept
+// beside it so that a step need not take the exponential of its own logarithm.
 struct Gap {
-  double u;
+  double u_a;
   double ln_u;
   double bond = 0.0;    // ADHESION: the asperities hold
 };
@@ -119,24 +120,24 @@ inline double log_gaussian_integral(double z, double D)
   return scale + a * a + std::log(std::erf(b) - std::erf(a));
 }
 
-// One step of length h (in tau) with r going linearly from r0 to r1. Second order, exact for
-// constant r, positive by construction, right in both stiff limits. Returns ln u.
-inline double gap_exponential_any(double y0, double r0, double r1, double A, double h)
+// One step with r going linearly from r0 to r1. Second order, exact for constant r, positive by
+// construction, right in both stiff limits. Returns ln u.
+inline double gap_exponential_any(double y0, double r0, double r1, double A, double steps)
 {
-  const double D = 0.5 * h * (r1 - r0);
-  const LogExponentialMean m = log_exponential_mean(h * r1);
+  const double D = 0.5 * steps * (r1 - r0);
+  const LogExponentialMean m = log_exponential_mean(steps * r1);
   // the mean bounds the integral from below only, so that it must not be asked for a large fall
-  const double ln_I = D < -0.5 ? log_gaussian_integral(h * r1, D) : m.ln_phi + D * m.mean_s2;
-  return -log_add_exp(-0.5 * h * (r0 + r1) - y0, std::log(A * h) + ln_I);
+  const double ln_I = D < -0.5 ? log_gaussian_integral(steps * r1, D) : m.ln_phi + D * m.mean_s2;
+  return -log_add_exp(-0.5 * steps * (r0 + r1) - y0, std::log(A * steps) + ln_I);
 }
 
-// The same where nothing can overflow, which is the usual case: u0/u1 = exp(-x) + A h I u0.
+// The same where nothing can overflow, which is the usual case: u0/u1 = exp(-x) + A steps I u0.
 // Branch-free; the result is void if usual becomes false, and nothing overflows on the way to it.
-inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A, double h,
+inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A, double steps,
                                  bool &usual)
 {
-  const double x = 0.5 * h * (r0 + r1);
-  const double change = 0.5 * h * (r1 - r0);
+  const double x = 0.5 * steps * (r0 + r1);
+  const double change = 0.5 * steps * (r1 - r0);
   usual =
       usual & (std::fabs(x) < 30.0) & (std::fabs(change) < 1e-2) & (std::fabs(old.ln_u) < 300.0);
   const double D = usual ? change : 0.0;
@@ -144,35 +145,35 @@ inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A,
   const double q = D * m.mean_s2;
   const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 4e-10 at |q| < 1e-2
   const double exp_D = polynomial(SHORT_EXP_SERIES, D);
-  const double ratio = m.exp_minus_z * exp_D + A * h * m.phi * exp_q * old.u;
-  return {old.u / ratio, old.ln_u - logarithm(ratio)};
+  const double ratio = m.exp_minus_z * exp_D + A * steps * m.phi * exp_q * old.u_a;
+  return {old.u_a / ratio, old.ln_u - logarithm(ratio)};
 }
 
-inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, double h)
+inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, double steps)
 {
   bool usual = true;
-  const Gap gap = gap_exponential_usual(old, r0, r1, A, h, usual);
+  const Gap gap = gap_exponential_usual(old, r0, r1, A, steps, usual);
   if (usual) return gap;
-  const double y1 = gap_exponential_any(old.ln_u, r0, r1, A, h);
+  const double y1 = gap_exponential_any(old.ln_u, r0, r1, A, steps);
   return {std::exp(y1), y1};
 }
 
-// One step of backward Euler (Chevremont's eq. 18), rationalised so that nothing cancels.
-inline Gap gap_euler(const Gap &old, double r1, double A, double h)
+// One step of backward Euler (Chevremont's eq. 18), rationalized so that nothing cancels.
+inline Gap gap_euler(const Gap &old, double r1, double A, double steps)
 {
-  const double b = r1 - 1.0 / h;
-  const double d = std::sqrt(b * b + 4.0 * A * old.u / h);
+  const double b = r1 - 1.0 / steps;
+  const double d = std::sqrt(b * b + 4.0 * A * old.u_a / steps);
   double y1;
   if (d == 0.0)
-    y1 = 0.5 * (old.ln_u - std::log(A * h));    // b = 0 and u below the smallest number
+    y1 = 0.5 * (old.ln_u - std::log(A * steps));    // b = 0 and u below the smallest number
   else if (b <= 0.0)
-    y1 = old.ln_u + std::log(2.0 / (h * (d - b)));
+    y1 = old.ln_u + std::log(2.0 / (steps * (d - b)));
   else
     y1 = std::log((b + d) / (2.0 * A));
   return {std::exp(y1), y1};
 }
 
-// The history of a gap, u/a and ln(u/a), after a has changed: factor is the old a over the new one.
+// The history of a gap, u_a and ln_u, after a has changed: factor is the old a over the new one.
 inline void rescale_gap(double factor, double *gap)
 {
   gap[0] *= factor;
@@ -181,12 +182,12 @@ inline void rescale_gap(double factor, double *gap)
 
 struct GapLaw {
   double alpha;     // k/g
-  double eps;       // roughness: height of the asperities over a; 0: smooth
-  double ln_eps;    // ln(eps), -HUGE_VAL if smooth
+  double eps_a;     // roughness: height of the asperities; 0: smooth
+  double ln_eps;    // ln(eps_a), -HUGE_VAL if smooth
   bool euler;       // backward Euler instead of the exponential scheme
 
-  double release = 0.0, ln_release = 0.0;    // ADHESION: gap over a at which a contact breaks
-  double push = 0.0, slope = 0.0;            // REPULSION: push - slope u, over g a
+  double release_a = 0.0, ln_release = 0.0;    // ADHESION: gap at which a contact breaks
+  double push_a = 0.0, slope = 0.0;            // REPULSION: force over g is push - slope u
 };
 
 // The coefficients of du/dt = u (un + drive - stiffness u), contact or not.
@@ -199,32 +200,32 @@ template <unsigned X = 0> inline double gap_stiffness(const GapLaw &law, bool co
 
 template <unsigned X = 0> inline double gap_drive(const GapLaw &law, bool contact)
 {
-  const double add = contact ? law.alpha * law.eps : 0.0;
-  if constexpr (X & REPULSION) return add + law.push;
+  const double add = contact ? law.alpha * law.eps_a : 0.0;
+  if constexpr (X & REPULSION) return add + law.push_a;
   return add;
 }
 
 // The gap at which a contact ends, or one begins.
 struct Border {
-  double u, ln_u;
+  double u_a, ln_u;
 };
 
 template <unsigned X = 0> inline Border gap_border(const GapLaw &law, bool contact)
 {
   if constexpr (X & ADHESION)
-    if (contact) return {law.release, law.ln_release};
-  return {law.eps, law.ln_eps};
+    if (contact) return {law.release_a, law.ln_release};
+  return {law.eps_a, law.ln_eps};
 }
 
 // Step in one branch of the law, contact or not.
 template <unsigned X = 0>
-inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un0, double un1,
-                      double h)
+inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un0_a, double un1_a,
+                      double steps)
 {
   const double A = gap_stiffness<X>(law, contact);
   const double add = gap_drive<X>(law, contact);
-  Gap end = law.euler ? gap_euler(old, un1 + add, A, h)
-                      : gap_exponential(old, un0 + add, un1 + add, A, h);
+  Gap end = law.euler ? gap_euler(old, un1_a + add, A, steps)
+                      : gap_exponential(old, un0_a + add, un1_a + add, A, steps);
   end.bond = contact ? 1.0 : 0.0;
   return end;
 }
@@ -233,7 +234,7 @@ inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un
 // bisection every third time for flat cases.
 template <unsigned X = 0>
 inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, const Gap &end,
-                           double un0, double un1, double h)
+                           double un0_a, double un1_a, double steps)
 {
   const double border = gap_border<X>(law, contact).ln_u;
   double lo = 0.0, f_lo = old.ln_u - border;
@@ -243,7 +244,8 @@ inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, cons
   for (int n = 0; n < 100 && hi - lo > 1e-12; n++) {
     t = (lo * f_hi - hi * f_lo) / (f_hi - f_lo);
     if (n % 3 == 2 || !(t > lo && t < hi)) t = 0.5 * (lo + hi);
-    const Gap there = gap_branch<X>(law, contact, old, un0, un0 + t * (un1 - un0), t * h);
+    const Gap there =
+        gap_branch<X>(law, contact, old, un0_a, un0_a + t * (un1_a - un0_a), t * steps);
     const double f = there.ln_u - border;
     if (std::fabs(f) < 1e-13) break;
     if (contact ? f <= 0.0 : f >= 0.0) {    // not of f_lo, which may be 0
@@ -264,12 +266,12 @@ inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, cons
 // Contact during a step? On the border the drive decides: the gap closes if it is below eps. An
 // adhesive contact holds until it breaks.
 template <unsigned X = 0>
-inline bool in_contact(const GapLaw &law, const Gap &gap, double un0, double un1)
+inline bool in_contact(const GapLaw &law, const Gap &gap, double un0_a, double un1_a)
 {
   if constexpr (X & ADHESION) return gap.bond != 0.0;
   const double drive = gap_drive<X>(law, false), stiffness = gap_stiffness<X>(law, false);
   return (gap.ln_u < law.ln_eps) |
-      ((gap.ln_u == law.ln_eps) & (un0 + un1 < 2.0 * (stiffness * law.eps - drive)));
+      ((gap.ln_u == law.ln_eps) & (un0_a + un1_a < 2.0 * (stiffness * law.eps_a - drive)));
 }
 
 template <unsigned X = 0> inline bool crosses(const GapLaw &law, bool contact, double end)
@@ -282,64 +284,65 @@ template <unsigned X = 0> inline bool crosses(const GapLaw &law, bool contact, d
 // The rest of a step that crosses the border, branch by branch. At u = eps both branches have the
 // same rate, and an adhesive contact breaks elsewhere than it forms: no chatter; four is a guard.
 template <unsigned X = 0>
-inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double un0, double un1,
-                     double h)
+inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double un0_a, double un1_a,
+                     double steps)
 {
   for (int n = 0; n < 4 && crosses<X>(law, contact, end.ln_u); n++) {
-    const double t = gap_crossing<X>(law, contact, gap, end, un0, un1, h);
+    const double t = gap_crossing<X>(law, contact, gap, end, un0_a, un1_a, steps);
     const Border border = gap_border<X>(law, contact);
-    un0 += t * (un1 - un0);
-    h *= 1.0 - t;
+    un0_a += t * (un1_a - un0_a);
+    steps *= 1.0 - t;
     contact = !contact;
-    gap = {border.u, border.ln_u, contact ? 1.0 : 0.0};
-    if (!(h > 0.0)) return gap;
-    end = gap_branch<X>(law, contact, gap, un0, un1, h);
+    gap = {border.u_a, border.ln_u, contact ? 1.0 : 0.0};
+    if (!(steps > 0.0)) return gap;
+    end = gap_branch<X>(law, contact, gap, un0_a, un1_a, steps);
   }
   return end;
 }
 
 // Step with the transitions between contact and no contact resolved inside it.
 template <unsigned X = 0>
-inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0, double un1, double h)
+inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0_a, double un1_a, double steps)
 {
-  const bool contact = in_contact<X>(law, old, un0, un1);
-  const Gap end = gap_branch<X>(law, contact, old, un0, un1, h);
-  if (crosses<X>(law, contact, end.ln_u)) return gap_cross<X>(law, contact, old, end, un0, un1, h);
+  const bool contact = in_contact<X>(law, old, un0_a, un1_a);
+  const Gap end = gap_branch<X>(law, contact, old, un0_a, un1_a, steps);
+  if (crosses<X>(law, contact, end.ln_u))
+    return gap_cross<X>(law, contact, old, end, un0_a, un1_a, steps);
   return end;
 }
 
 // A step in one branch of the law where nothing can overflow. Branch-free; the result is void if
 // usual becomes false.
 template <unsigned X = 0>
-inline Gap gap_step_usual(const GapLaw &law, const Gap &old, double un0, double un1, double h,
-                          bool &usual)
+inline Gap gap_step_usual(const GapLaw &law, const Gap &old, double un0_a, double un1_a,
+                          double steps, bool &usual)
 {
-  const bool contact = in_contact<X>(law, old, un0, un1);
+  const bool contact = in_contact<X>(law, old, un0_a, un1_a);
   const double A = gap_stiffness<X>(law, contact);
   const double add = gap_drive<X>(law, contact);
-  Gap end = gap_exponential_usual(old, un0 + add, un1 + add, A, h, usual);
+  Gap end = gap_exponential_usual(old, un0_a + add, un1_a + add, A, steps, usual);
   end.bond = old.bond;    // no border is crossed
   usual = usual & !crosses<X>(law, contact, end.ln_u) & !law.euler;
   return end;
 }
 
-// Gap after a step of length h = dt/tau during which un/a goes from un0 to un1.
+// Gap after a step of length steps = dt/tau during which un_a goes from un0_a to un1_a.
 // Where the surfaces move far in a film that relaxes fast the step is cut: 2 D <= 1 in each piece.
 template <unsigned X = 0>
-inline Gap gap_step(const GapLaw &law, const Gap &old, double un0, double un1, double h)
+inline Gap gap_step(const GapLaw &law, const Gap &old, double un0_a, double un1_a, double steps)
 {
   bool usual = true;
-  const Gap end = gap_step_usual<X>(law, old, un0, un1, h, usual);
+  const Gap end = gap_step_usual<X>(law, old, un0_a, un1_a, steps, usual);
   if (usual) return end;
 
   static constexpr int MAX_PIECES = 16;    // beyond, the film is quasi-static within a piece
-  const double D = 0.5 * h * std::fabs(un1 - un0);
-  if (D <= 0.5 || law.euler) return gap_piece<X>(law, old, un0, un1, h);
+  const double D = 0.5 * steps * std::fabs(un1_a - un0_a);
+  if (D <= 0.5 || law.euler) return gap_piece<X>(law, old, un0_a, un1_a, steps);
   const int pieces = static_cast<int>(std::min<double>(MAX_PIECES, std::ceil(std::sqrt(2.0 * D))));
-  const double dh = h / pieces, dun = (un1 - un0) / pieces;
+  const double piece = steps / pieces, dun_a = (un1_a - un0_a) / pieces;
   Gap gap = old;
   for (int n = 0; n < pieces; n++)
-    gap = gap_piece<X>(law, gap, un0 + n * dun, un0 + (n + 1) * dun, dh);
+    gap = gap_piece<X>(law, gap, un0_a + n * dun_a, un0_a + (n + 1) * dun_a, piece);
   return gap;
 }
 

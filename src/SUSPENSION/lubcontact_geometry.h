@@ -9,6 +9,10 @@
 
 // Geometry and motion of a pair of spheres. All signs of the package are defined here:
 // n points from j to i, un > 0 is a gap, every relative motion is i minus j, every force acts on i.
+//
+// So are its two units of length: a bare name is a length, the suffix _a says over the effective
+// radius a, of a variable as of what a function returns: un and un_a = un/a. Logarithms need no
+// suffix, they are always of the latter: ln_u = ln(u_a).
 
 #ifndef LUBCONTACT_GEOMETRY_H
 #define LUBCONTACT_GEOMETRY_H
@@ -35,12 +39,12 @@ inline double effective_radius(Radius rule, double ri, double rj)
 
 struct PairGeometry {
   Vec3 n;          // unit vector from j to i
-  double r;        // distance of the centres
-  double un;       // r - R_i - R_j: gap of the undeformed surfaces, negative if they overlap
+  double r;        // distance of the centers
+  double un;       // r - R_i - R_j: separation of the undeformed surfaces, negative if they overlap
   double a;        // effective radius
   double per_a;    // 1/a
-  double gap;      // un/a
-  double arm_i;    // R_i + un/2: from the centre of i to the middle of the gap
+  double un_a;     // un/a
+  double arm_i;    // R_i + un/2: from the center of i to the middle of the gap
   double arm_j;    // R_j + un/2: arm_i + arm_j = r, so that a rigid rotation has no slip
 };
 
@@ -53,7 +57,7 @@ inline PairGeometry pair_geometry(const Vec3 &xi, const Vec3 &xj, double ri, dou
   g.un = g.r - (ri + rj);
   g.a = a;
   g.per_a = 1.0 / a;
-  g.gap = g.un * g.per_a;
+  g.un_a = g.un * g.per_a;
   g.arm_i = ri + 0.5 * g.un;
   g.arm_j = rj + 0.5 * g.un;
   return g;

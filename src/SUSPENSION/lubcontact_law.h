@@ -26,8 +26,8 @@
 namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Settings {
-  double viscosity = 0.0;          // pressure*time; NaN: not known yet
-  double reach = DEFAULT_REACH;    // range of the films over the effective radius
+  double viscosity = 0.0;              // pressure*time; NaN: not known yet
+  double reach_a = DEFAULT_REACH_A;    // range of the films over the effective radius
   Range range = DEFAULT_RANGE;
   Radius radius = Radius::HARMONIC;
   bool euler = false;    // integrator of the gap
@@ -79,11 +79,11 @@ inline Law without(Law law, unsigned mask)
 // What the loop over the pairs needs of a pair of types.
 inline PairCoeffs pair_coeffs(const Settings &s, const TypeCoeffs &k)
 {
-  const double release = k.roughness + k.adhesion;
-  GapLaw gap{k.asperity / k.g, k.roughness, k.roughness > 0.0 ? std::log(k.roughness) : -HUGE_VAL,
-             s.euler};
-  gap.release = release;
-  gap.ln_release = k.adhesion > 0.0 ? std::log(release) : gap.ln_eps;
+  const double release = k.roughness_a + k.adhesion_a;
+  GapLaw gap{k.asperity / k.g, k.roughness_a,
+             k.roughness_a > 0.0 ? std::log(k.roughness_a) : -HUGE_VAL, s.euler};
+  gap.release_a = release;
+  gap.ln_release = k.adhesion_a > 0.0 ? std::log(release) : gap.ln_eps;
   PairCoeffs c{{k.g, k.asperity, gap}, k.kt, k.friction};
   c.threshold = make_threshold(k.law, k.critical);
   if (k.screening > 0.0) c.normal.repulsion = {k.repulsion, 1.0 / k.screening};
@@ -91,21 +91,21 @@ inline PairCoeffs pair_coeffs(const Settings &s, const TypeCoeffs &k)
 }
 
 // Largest gap that acts, over the effective radius: without films and repulsion that of a contact.
-inline double reach_of(const Settings &s, const TypeCoeffs &k)
+inline double reach_a_of(const Settings &s, const TypeCoeffs &k)
 {
-  return s.films || k.screening > 0.0 ? s.reach : touching_gap(pair_coeffs(s, k));
+  return s.films || k.screening > 0.0 ? s.reach_a : touching_gap_a(pair_coeffs(s, k));
 }
 
 inline Film film_of(const Settings &s)
 {
-  return without_films(make_film(s.viscosity, s.reach, s.range, s.roll_coeff), s.films & SHEAR,
+  return without_films(make_film(s.viscosity, s.reach_a, s.range, s.roll_coeff), s.films & SHEAR,
                        s.films & ROLL, s.films & TWIST);
 }
 
 // Can the surfaces touch? Smooth ones do not through a squeeze film.
 inline bool can_touch(const Settings &s, const TypeCoeffs &k)
 {
-  return k.roughness > 0.0 || !(s.films & SQUEEZE) || !(s.viscosity > 0.0);
+  return k.roughness_a > 0.0 || !(s.films & SQUEEZE) || !(s.viscosity > 0.0);
 }
 
 }    // namespace LAMMPS_NS::Lubcontact_NS

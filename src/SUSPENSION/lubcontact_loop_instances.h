@@ -174,7 +174,7 @@ template <class E> void LubcontactLoop<E>::fill()
       b.per_ramp[l] = c.threshold.per_ramp;
     }
     if constexpr (E::adhesion) {
-      b.release[l] = c.normal.gap.release;
+      b.release_a[l] = c.normal.gap.release_a;
       b.ln_release[l] = c.normal.gap.ln_release;
     }
     if constexpr (E::repulsion) {
@@ -184,7 +184,7 @@ template <class E> void LubcontactLoop<E>::fill()
     b.g[l] = c.normal.g;
     b.asperity[l] = c.normal.asperity;
     b.alpha[l] = c.normal.gap.alpha;
-    b.eps[l] = c.normal.gap.eps;
+    b.eps_a[l] = c.normal.gap.eps_a;
     b.ln_eps[l] = c.normal.gap.ln_eps;
   }
 }

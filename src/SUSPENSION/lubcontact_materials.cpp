@@ -417,8 +417,13 @@ std::vector<TypePair> LAMMPS_NS::read_materials(LAMMPS *lmp, int narg, char **ar
       if (j <= SHOWN_TYPES)
         text += fmt::format("  types {} {}      g {} kt {}\n", i, j, short_number(words.all[0]),
                             joined(words.all, 1));
+      std::string made = fmt::format("pair_coeff {} {}", i, j);
+      for (const char *word : words.all) made += std::string(" ") + word;
       const int number = static_cast<int>(words.all.size());
-      pairs.push_back({i, j, coeffs.parse(number, words.all.data(), settings.reach)});
+      pairs.push_back({i, j,
+                       coeffs.parse(number, words.all.data(), settings.reach_a,
+                                    fmt::format("; in what {} makes of {} and {}: {}", arg[2],
+                                                one.material->name, other.material->name, made))});
     }
   text +=
       fmt::format("  stiffness      {}; hard spheres need P a/(g roughness) << 1 at pressure P\n",

@@ -38,93 +38,94 @@ struct NormalForce {
 };
 
 // A smooth pair that overlaps without a past has no film to remember: it gets one this thin.
-static constexpr double THINNEST = 1e-8;    // over a
+static constexpr double THINNEST_A = 1e-8;
 
 // Gap of elastic rest, where the film carries nothing: (un + alpha eps)/(1 + alpha) if the
-// asperities touch, un otherwise; all over a. It is the gap of a pair seen for the first time, of
-// dry contact, and of every pair if squeeze is off.
-inline double elastic_gap(const GapLaw &law, double un)
+// asperities touch, un otherwise. It is the gap of a pair seen for the first time, of dry contact,
+// and of every pair if squeeze is off.
+inline double elastic_gap_a(const GapLaw &law, double un_a)
 {
-  const double pressed = (un + law.alpha * law.eps) / (1.0 + law.alpha);
-  const double u = un < law.eps ? pressed : un;
-  return u > 0.0 ? u : THINNEST;
+  const double pressed = (un_a + law.alpha * law.eps_a) / (1.0 + law.alpha);
+  const double u_a = un_a < law.eps_a ? pressed : un_a;
+  return u_a > 0.0 ? u_a : THINNEST_A;
 }
 
-// Repulsion of closed surfaces at the gap u over a, in units of g a.
-inline double relative_repulsion(const NormalCoeffs &c, double a, double u)
+// Repulsion of closed surfaces at the gap u_a, in units of g a.
+inline double relative_repulsion(const NormalCoeffs &c, double a, double u_a)
 {
-  return repulsion_force(c.repulsion, a * u) / (c.g * a);
+  return repulsion_force(c.repulsion, a * u_a) / (c.g * a);
 }
 
-// Do the asperities touch at elastic rest, un over a? With ADHESION also if they have held (bond)
-// and the gap at which they would carry the load has not passed `release`. Smooth ones never do.
+// Do the asperities touch at elastic rest? With ADHESION also if they have held (bond) and the gap
+// at which they would carry the load has not passed `release`. Smooth ones never do.
 template <unsigned X = 0>
-inline bool elastic_contact(const NormalCoeffs &c, double a, double un, [[maybe_unused]] bool bond)
+inline bool elastic_contact(const NormalCoeffs &c, double a, double un_a,
+                            [[maybe_unused]] bool bond)
 {
   const GapLaw &law = c.gap;
   double at_eps = 0.0;
-  if constexpr (X & REPULSION) at_eps = relative_repulsion(c, a, law.eps);
-  const bool touch = (un + at_eps < law.eps) & (law.eps > 0.0);
+  if constexpr (X & REPULSION) at_eps = relative_repulsion(c, a, law.eps_a);
+  const bool touch = (un_a + at_eps < law.eps_a) & (law.eps_a > 0.0);
   if constexpr (X & ADHESION) {
     double at_release = 0.0;
-    if constexpr (X & REPULSION) at_release = relative_repulsion(c, a, law.release);
-    const double held = (1.0 + law.alpha) * law.release - law.alpha * law.eps;
-    return touch | (bond & (un + at_release < held));
+    if constexpr (X & REPULSION) at_release = relative_repulsion(c, a, law.release_a);
+    const double held = (1.0 + law.alpha) * law.release_a - law.alpha * law.eps_a;
+    return touch | (bond & (un_a + at_release < held));
   }
   return touch;
 }
 
-// Gap of elastic rest for any extension, un over a; bond: do the asperities hold? (ADHESION)
+// Gap of elastic rest for any extension; bond: do the asperities hold? (ADHESION)
 template <unsigned X>
-inline double elastic_gap(const NormalCoeffs &c, double a, double un, bool bond)
+inline double elastic_gap_a(const NormalCoeffs &c, double a, double un_a, bool bond)
 {
-  if constexpr (!X) return elastic_gap(c.gap, un);
-  const bool contact = (X & ADHESION) ? bond : elastic_contact<X>(c, a, un, false);
-  const double r = un + (contact ? c.gap.alpha * c.gap.eps : 0.0);
+  if constexpr (!X) return elastic_gap_a(c.gap, un_a);
+  const bool contact = (X & ADHESION) ? bond : elastic_contact<X>(c, a, un_a, false);
+  const double r = un_a + (contact ? c.gap.alpha * c.gap.eps_a : 0.0);
   const double A = contact ? 1.0 + c.gap.alpha : 1.0;
-  double u = r / A;
+  double u_a = r / A;
   if constexpr (X & REPULSION)
-    u = repelled_gap(r, A, c.repulsion.force / (c.g * a), c.repulsion.per_length * a);
-  return u > 0.0 ? u : THINNEST;
+    u_a = repelled_gap(r, A, c.repulsion.force / (c.g * a), c.repulsion.per_length * a);
+  return u_a > 0.0 ? u_a : THINNEST_A;
 }
 
-// The law with the repulsion linearized about the gap u over a, so that its equation stays linear in
+// The law with the repulsion linearized about the gap u_a, so that its equation stays linear in
 // 1/u. The rest is quadratic in the change of u: second order.
-template <unsigned X> inline NormalCoeffs linearized(const NormalCoeffs &c, double a, double u)
+template <unsigned X> inline NormalCoeffs linearized(const NormalCoeffs &c, double a, double u_a)
 {
   NormalCoeffs law = c;
   if constexpr (X & REPULSION) {
-    const double p = relative_repulsion(c, a, u);
+    const double p = relative_repulsion(c, a, u_a);
     law.gap.slope = p * (c.repulsion.per_length * a);
-    law.gap.push = p + law.gap.slope * u;
+    law.gap.push_a = p + law.gap.slope * u_a;
   }
   return law;
 }
 
 // May the repulsion be linearized over this change of the gap?
-inline bool is_small_change(const NormalCoeffs &c, double a, double u0, double u1)
+inline bool is_small_change(const NormalCoeffs &c, double a, double u0_a, double u1_a)
 {
-  return (c.repulsion.force == 0.0) | (std::fabs(u1 - u0) * a * c.repulsion.per_length < 0.25);
+  return (c.repulsion.force == 0.0) | (std::fabs(u1_a - u0_a) * a * c.repulsion.per_length < 0.25);
 }
 
 // Length of the time step in units of tau = nu a/g. With a shifted range the squeeze resistance is
-// nu (1 - u/range), frozen at the gap expected at mid-step (linearly implicit: positive, second
-// order); un/a at the beginning and end.
+// nu (1 - u_a/reach_a), frozen at the gap expected at mid-step (linearly implicit: positive, second
+// order). From un0_a to un1_a as in gap_step().
 template <unsigned X = 0>
-inline double film_steps(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0,
-                         double un1, double dt)
+inline double film_steps(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
+                         double un0_a, double un1_a, double dt)
 {
-  const double h = dt / squeeze_coeff(f.viscosity) * (c.g * (1.0 / a));    // 1/a is at hand
-  if (f.shift == 0.0) return h;
+  const double steps = dt / squeeze_coeff(f.viscosity) * (c.g * (1.0 / a));    // 1/a is at hand
+  if (f.shift == 0.0) return steps;
 
   const bool contact = (X & ADHESION) ? old.bond != 0.0 : old.ln_u < c.gap.ln_eps;
   const double A = gap_stiffness<X>(c.gap, contact);
-  const double r = 0.5 * (un0 + un1) + gap_drive<X>(c.gap, contact);
-  static constexpr double LEAST = 1e-6;    // of the resistance, so that h stays finite
-  const double half = 0.5 * h / larger(LEAST, 1.0 - old.u * f.shift);
+  const double r = 0.5 * (un0_a + un1_a) + gap_drive<X>(c.gap, contact);
+  static constexpr double LEAST = 1e-6;    // of the resistance, so that steps stays finite
+  const double half = 0.5 * steps / larger(LEAST, 1.0 - old.u_a * f.shift);
   const double middle =
-      old.u * (1.0 + half * larger(0.0, r)) / (1.0 + half * (A * old.u + larger(0.0, -r)));
-  return h / larger(LEAST, 1.0 - middle * f.shift);
+      old.u_a * (1.0 + half * larger(0.0, r)) / (1.0 + half * (A * old.u_a + larger(0.0, -r)));
+  return steps / larger(LEAST, 1.0 - middle * f.shift);
 }
 
 // No film at all, or one that is at rest within 1e-12 of the step: dry contact.
@@ -133,47 +134,48 @@ inline bool is_dry(const NormalCoeffs &c, const Film &f, double a, double dt)
   return f.viscosity * 1e12 * a <= dt * c.g;
 }
 
-// Gap after a step as nearly all are: branch-free, void if usual becomes false; un in units of a.
+// Gap after a step as nearly all are: branch-free, void if usual becomes false.
 template <unsigned X = 0>
 inline Gap next_gap_usual(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
-                          double un0, double un1, double dt, bool &usual)
+                          double un0_a, double un1_a, double dt, bool &usual)
 {
   usual = usual & !is_dry(c, f, a, dt);
-  const NormalCoeffs l = linearized<X>(c, a, old.u);
-  const double h = film_steps<X>(l, f, a, old, un0, un1, dt);
-  const Gap end = gap_step_usual<X>(l.gap, old, un0, un1, h, usual);
-  if constexpr (X & REPULSION) usual = usual & is_small_change(c, a, old.u, end.u);
+  const NormalCoeffs l = linearized<X>(c, a, old.u_a);
+  const double steps = film_steps<X>(l, f, a, old, un0_a, un1_a, dt);
+  const Gap end = gap_step_usual<X>(l.gap, old, un0_a, un1_a, steps, usual);
+  if constexpr (X & REPULSION) usual = usual & is_small_change(c, a, old.u_a, end.u_a);
   return end;
 }
 
 // The same for any step.
 template <unsigned X = 0>
 inline Gap next_gap_linear(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
-                           double un0, double un1, double dt)
+                           double un0_a, double un1_a, double dt)
 {
-  const NormalCoeffs l = linearized<X>(c, a, old.u);
-  return gap_step<X>(l.gap, old, un0, un1, film_steps<X>(l, f, a, old, un0, un1, dt));
+  const NormalCoeffs l = linearized<X>(c, a, old.u_a);
+  return gap_step<X>(l.gap, old, un0_a, un1_a, film_steps<X>(l, f, a, old, un0_a, un1_a, dt));
 }
 
 template <unsigned X = 0>
-inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0,
-                    double un1, double dt)
+inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0_a,
+                    double un1_a, double dt)
 {
   if (is_dry(c, f, a, dt)) {
-    const bool bond = elastic_contact<X>(c, a, un1, old.bond != 0.0);
-    const double u = elastic_gap<X>(c, a, un1, bond);
-    return {u, std::log(u), bond ? 1.0 : 0.0};
+    const bool bond = elastic_contact<X>(c, a, un1_a, old.bond != 0.0);
+    const double u_a = elastic_gap_a<X>(c, a, un1_a, bond);
+    return {u_a, std::log(u_a), bond ? 1.0 : 0.0};
   }
-  if constexpr (!(X & REPULSION)) return next_gap_linear<X>(c, f, a, old, un0, un1, dt);
+  if constexpr (!(X & REPULSION)) return next_gap_linear<X>(c, f, a, old, un0_a, un1_a, dt);
 
   // in pieces, halved until the repulsion changes little in each
   static constexpr double SMALLEST = 1.0 / 256;
   Gap gap = old;
   double done = 0.0, piece = 1.0;    // of the step: sums of powers of 2 are exact
   while (done < 1.0) {
-    const double from = un0 + done * (un1 - un0), to = un0 + (done + piece) * (un1 - un0);
-    const Gap end = next_gap_linear<X>(c, f, a, gap, from, to, piece * dt);
-    if (piece > SMALLEST && !is_small_change(c, a, gap.u, end.u)) {
+    const double from_a = un0_a + done * (un1_a - un0_a);
+    const double to_a = un0_a + (done + piece) * (un1_a - un0_a);
+    const Gap end = next_gap_linear<X>(c, f, a, gap, from_a, to_a, piece * dt);
+    if (piece > SMALLEST && !is_small_change(c, a, gap.u_a, end.u_a)) {
       piece *= 0.5;
       continue;
     }
@@ -183,13 +185,13 @@ inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &o
   return gap;
 }
 
-// Forces at surface separation un and gap u, lengths. Their sum is g (u - un). Without film the
-// asperities carry all of it, also where they are crushed flat. bond: do they hold? (ADHESION)
+// Forces at the separation un and the gap u. Their sum is g (u - un). Without film the asperities
+// carry all of it, also where they are crushed flat. bond: do they hold? (ADHESION)
 template <unsigned X = 0>
 inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, double u, bool film,
                                 [[maybe_unused]] bool bond = false)
 {
-  const double eps = c.gap.eps * a, total = c.g * (u - un);
+  const double eps = c.gap.eps_a * a, total = c.g * (u - un);
   if constexpr (!X) {
     // at a gap u is un to rounding only: that is no contact
     const bool touch = (un < eps) | (un < 0.0);
@@ -198,7 +200,7 @@ inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, doub
     return {film ? contact : dry, film ? total - contact : 0.0};
   }
   const bool touch = (X & ADHESION) ? bond : u < eps;
-  const bool crushed = (u <= THINNEST * a) & (un < 0.0);
+  const bool crushed = (u <= THINNEST_A * a) & (un < 0.0);
   const double pushed = (X & REPULSION) ? repulsion_force(c.repulsion, u) : 0.0;
   const double dry = (touch | crushed) ? total - pushed : 0.0;
   const double contact = touch ? c.asperity * (eps - u) : 0.0;
@@ -210,7 +212,7 @@ template <unsigned X = 0>
 inline double normal_energy(const NormalCoeffs &c, double a, double un, double u,
                             [[maybe_unused]] bool bond = false)
 {
-  const double flat = c.gap.eps * a - u;
+  const double flat = c.gap.eps_a * a - u;
   const double held = (X & ADHESION) ? (bond ? flat : 0.0) : larger(0.0, flat);
   double energy = 0.5 * c.g * (u - un) * (u - un) + 0.5 * c.asperity * held * held;
   if constexpr (X & REPULSION) energy += repulsion_energy(c.repulsion, u);

@@ -34,11 +34,11 @@ struct PairCoeffs {    // of a pair of types
   Threshold threshold{};
 };
 
-// Surfaces that are closer, over a, may hold each other without any film: ADHESION stretches the bulk.
-inline double touching_gap(const PairCoeffs &c)
+// Surfaces that are closer may hold each other without any film: ADHESION stretches the bulk.
+inline double touching_gap_a(const PairCoeffs &c)
 {
   const GapLaw &law = c.normal.gap;
-  return law.eps + (1.0 + law.alpha) * larger(0.0, law.release - law.eps);
+  return law.eps_a + (1.0 + law.alpha) * larger(0.0, law.release_a - law.eps_a);
 }
 
 struct Load {
@@ -49,7 +49,7 @@ struct Load {
   bool touch;       // do the asperities touch, or hold?
   Vec3 shear;       // tangential force on i: friction and film
   Vec3 couple;      // rolling and twisting torque on i; j gets the opposite
-  double u;         // gap of the deformed surfaces, length
+  double u;         // gap of the deformed surfaces
   double cone;      // largest friction force
 };
 
@@ -65,15 +65,15 @@ template <class E> inline bool holds([[maybe_unused]] const double *history)
   return false;
 }
 
-// Gap over a of the present state.
+// Gap of the present state.
 template <class E>
-inline double present_gap(const PairCoeffs &c, const PairGeometry &g, const double *history)
+inline double present_gap_a(const PairCoeffs &c, const PairGeometry &g, const double *history)
 {
   if constexpr (E::gap_history) return history[E::GAP_SLOT];
-  return elastic_gap<E::normal>(c.normal, g.a, g.gap, holds<E>(history));
+  return elastic_gap_a<E::normal>(c.normal, g.a, g.un_a, holds<E>(history));
 }
 
-// Normal forces at the gap u, length.
+// Normal forces at the gap u.
 template <class E>
 inline NormalForce normal_force_of(const PairCoeffs &c, const Film &f, const PairGeometry &g,
                                    double u, bool bond)
@@ -108,17 +108,17 @@ inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *ne
   for (int m = 0; m < E::HISTORY_SIZE; m++) next[m] = 0.0;
   bool bond = false;
   if constexpr (E::adhesion) {
-    bond = elastic_contact<E::normal>(c.normal, g.a, g.gap, false);
+    bond = elastic_contact<E::normal>(c.normal, g.a, g.un_a, false);
     next[E::BOND_SLOT] = bond ? 1.0 : 0.0;
   }
   if constexpr (E::gap_history) {
-    next[E::GAP_SLOT] = elastic_gap<E::normal>(c.normal, g.a, g.gap, bond);
+    next[E::GAP_SLOT] = elastic_gap_a<E::normal>(c.normal, g.a, g.un_a, bond);
     next[E::GAP_SLOT + 1] = std::log(next[E::GAP_SLOT]);
   }
   if constexpr (E::surface_history) next[E::SURFACE_SLOT] = g.un;
 }
 
-// History after a step of length dt that ended at the geometry g, next_gap(old, un0, un1) giving the
+// History after a step of length dt that ended at the geometry g, next_gap(old, un0_a, un1_a) giving the
 // gap. old and next may be the same.
 template <class E, class NextGap>
 inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
@@ -130,26 +130,26 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
   [[maybe_unused]] bool holding = false;
   if constexpr (E::adhesion) before.bond = old[E::BOND_SLOT];
   if constexpr (E::adhesion && !E::gap_history) {
-    holding = elastic_contact<E::normal>(c.normal, g.a, g.gap, held);
+    holding = elastic_contact<E::normal>(c.normal, g.a, g.un_a, held);
     next[E::BOND_SLOT] = holding ? 1.0 : 0.0;
   }
   if constexpr (!E::surface_history) return;
 
   const double un_old = old[E::SURFACE_SLOT];
-  const double gap_old = un_old * g.per_a;
+  const double un_old_a = un_old * g.per_a;
   if constexpr (E::gap_history) {
     before = {old[E::GAP_SLOT], old[E::GAP_SLOT + 1], before.bond};
-    after = next_gap(before, gap_old, g.gap);
-    next[E::GAP_SLOT] = after.u;
+    after = next_gap(before, un_old_a, g.un_a);
+    next[E::GAP_SLOT] = after.u_a;
     next[E::GAP_SLOT + 1] = after.ln_u;
     if constexpr (E::adhesion) next[E::BOND_SLOT] = after.bond;
     holding = after.bond != 0.0;
   } else if constexpr (E::reads_gap) {
-    before.u = elastic_gap<E::normal>(c.normal, g.a, gap_old, held);
-    after.u = elastic_gap<E::normal>(c.normal, g.a, g.gap, holding);
+    before.u_a = elastic_gap_a<E::normal>(c.normal, g.a, un_old_a, held);
+    after.u_a = elastic_gap_a<E::normal>(c.normal, g.a, g.un_a, holding);
     if constexpr (E::films) {    // friction alone needs no logarithm
-      before.ln_u = logarithm(larger(1e-300, before.u));
-      after.ln_u = logarithm(larger(1e-300, after.u));
+      before.ln_u = logarithm(larger(1e-300, before.u_a));
+      after.ln_u = logarithm(larger(1e-300, after.u_a));
     }
   }
   next[E::SURFACE_SLOT] = g.un;
@@ -158,33 +158,33 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
     const PairMotion m = pair_motion(g, i, j, g.r - g.un + un_old, dt);
     // the films of shear, roll and twist see the gap at mid-step
     [[maybe_unused]] const double ln_u = 0.5 * (before.ln_u + after.ln_u);
-    [[maybe_unused]] const double u = 0.5 * (before.u + after.u);
+    [[maybe_unused]] const double u_a = 0.5 * (before.u_a + after.u_a);
 
     if constexpr (E::tangential) {
       double cone0 = 0.0, cone = 0.0, film = 0.0;
-      [[maybe_unused]] auto cone_at = [&](const PairGeometry &at, double gap, bool bond) {
-        const double contact = normal_force_of<E>(c, f, at, g.a * gap, bond).contact;
+      [[maybe_unused]] auto cone_at = [&](const PairGeometry &at, double gap_a, bool bond) {
+        const double contact = normal_force_of<E>(c, f, at, g.a * gap_a, bond).contact;
         return c.mu / c.kt * frictional_load<E>(c, contact);
       };
-      if constexpr (E::friction) cone = cone_at(g, after.u, holding);
+      if constexpr (E::friction) cone = cone_at(g, after.u_a, holding);
       if constexpr (E::friction && E::shear) {    // without film only the end of the step counts
         PairGeometry g0 = g;
         g0.un = un_old;
-        cone0 = cone_at(g0, before.u, held);
+        cone0 = cone_at(g0, before.u_a, held);
       }
-      if constexpr (E::shear) film = shear_resistance(f, g.a, u, ln_u);
+      if constexpr (E::shear) film = shear_resistance(f, g.a, u_a, ln_u);
       const Vec3 q0 = turned(get_vector(old + E::SHEAR_SLOT), m.turn);
       put_vector(tangential(next_shear(q0, m.slip, cone0, cone, film, c.kt * dt), g.n),
                  next + E::SHEAR_SLOT);
     }
     const double kr = c.kt * g.a * g.a;
     if constexpr (E::roll) {
-      const double film = roll_resistance(f, g.a, u, ln_u);
+      const double film = roll_resistance(f, g.a, u_a, ln_u);
       const Vec3 q0 = turned(get_vector(old + E::ROLL_SLOT), m.turn);
       put_vector(next_roll(q0, m.roll, film, kr * dt), next + E::ROLL_SLOT);
     }
     if constexpr (E::twist) {
-      const double film = twist_resistance(f, g.a, u, ln_u);
+      const double film = twist_resistance(f, g.a, u_a, ln_u);
       next[E::TWIST_SLOT] = next_twist(old[E::TWIST_SLOT], m.twist, film, kr * dt);
     }
   }
@@ -194,8 +194,8 @@ template <class E>
 inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry &g, const Body &i,
                          const Body &j, double dt, const double *old, double *next)
 {
-  auto gap = [&](const Gap &before, double un0, double un1) {
-    return next_gap<E::normal>(c.normal, f, g.a, before, un0, un1, dt);
+  auto gap = [&](const Gap &before, double un0_a, double un1_a) {
+    return next_gap<E::normal>(c.normal, f, g.a, before, un0_a, un1_a, dt);
   };
   step_history<E>(gap, c, f, g, i, j, dt, old, next);
 }
@@ -207,8 +207,8 @@ inline bool next_history_usual(const PairCoeffs &c, const Film &f, const PairGeo
                                double *next)
 {
   bool usual = true;
-  auto gap = [&](const Gap &before, double un0, double un1) {
-    return next_gap_usual<E::normal>(c.normal, f, g.a, before, un0, un1, dt, usual);
+  auto gap = [&](const Gap &before, double un0_a, double un1_a) {
+    return next_gap_usual<E::normal>(c.normal, f, g.a, before, un0_a, un1_a, dt, usual);
   };
   step_history<E>(gap, c, f, g, i, j, dt, old, next);
   return usual;
@@ -220,7 +220,7 @@ inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
                       const double *history)
 {
   Load load{};
-  load.u = g.a * present_gap<E>(c, g, history);
+  load.u = g.a * present_gap_a<E>(c, g, history);
   const bool bond = holds<E>(history);
   const NormalForce normal = normal_force_of<E>(c, f, g, load.u, bond);
   load.contact = normal.contact;
@@ -244,7 +244,7 @@ inline Vec3 force_on_i(const Load &load, const PairGeometry &g)
   return load.normal * g.n + load.shear;
 }
 
-// Torques about the centres; together with the force they conserve angular momentum.
+// Torques about the centers; together with the force they conserve angular momentum.
 inline Vec3 torque_on_i(const Load &load, const PairGeometry &g)
 {
   return load.couple - g.arm_i * cross(g.n, load.shear);

@@ -72,14 +72,14 @@ inline double lost(double stiffness, const Vec3 &q0, const Vec3 &q1, const Vec3 
 // Of the bulk and the asperities between two states; with a film all but the energy of a contact that
 // breaks is its loss.
 template <class E>
-inline void normal_loss(const PairCoeffs &c, bool film, double un_moved, const Load &before,
-                        const Load &after, double stored, Energies &loss)
+inline void normal_loss(const PairCoeffs &c, double a, bool film, double un_moved,
+                        const Load &before, const Load &after, double stored, Energies &loss)
 {
   const double all = -0.5 * (before.normal + after.normal) * un_moved - stored;
   double broken = 0.0;
   if constexpr (E::adhesion)
     if (before.touch && !after.touch) {
-      const double stretch = (c.normal.gap.release - c.normal.gap.eps);
+      const double stretch = a * c.normal.gap.release_a - a * c.normal.gap.eps_a;
       broken = 0.5 * c.normal.asperity * stretch * stretch;
     }
   loss.of[NORMAL_CONTACT] = film ? broken : all;
@@ -100,17 +100,14 @@ inline Energies step_loss(const PairCoeffs &c, const Film &f, const PairGeometry
     g0.un = old[E::SURFACE_SLOT];
   else
     g0.un = g.un - dt * dot(i.v - j.v, g.n);
-  g0.gap = g0.un * g.per_a;
+  g0.un_a = g0.un * g.per_a;
   g0.r = g.r - g.un + g0.un;
   const Load before = pair_load<E>(c, f, g0, old), after = pair_load<E>(c, f, g, next);
 
   auto normal_stored = [&](const PairGeometry &at, const Load &load) {
     return normal_energy<E::normal>(c.normal, at.a, at.un, load.u, load.touch);
   };
-  PairCoeffs of_a = c;    // gaps as lengths
-  of_a.normal.gap.eps *= g.a;
-  of_a.normal.gap.release *= g.a;
-  normal_loss<E>(of_a, has_film<E>(f), g.un - g0.un, before, after,
+  normal_loss<E>(c, g.a, has_film<E>(f), g.un - g0.un, before, after,
                  normal_stored(g, after) - normal_stored(g0, before), loss);
 
   if constexpr (E::turns || E::twist) {

@@ -22,7 +22,7 @@ namespace LAMMPS_NS::Lubcontact_NS {
 // The partners of one particle. Made by RangeTable, valid as long as it is.
 struct RangeOf {
   const PairCoeffs *coeffs;    // by type of the partner, as the next
-  const double *reach;         // largest gap that acts over the effective radius
+  const double *reach_a;       // largest gap that acts over the effective radius
   const char *faces;    // by place in the neighbor list: is there a common face? Null: all have one
   double radius;
   Radius rule;
@@ -33,11 +33,11 @@ struct RangeOf {
   {
     // a is at most the mean radius: most pairs out of range need no division
     const double radsum = radius + radius_j;
-    const double most = radsum * (1.0 + 0.5 * reach[type_j]);
+    const double most = radsum * (1.0 + 0.5 * reach_a[type_j]);
     if (!(rsq < most * most)) return 0.0;
     const double a = effective_radius(rule, radius, radius_j);
     const bool screened = faces && !faces[n];
-    const double end = radsum + (screened ? touching_gap(coeffs[type_j]) : reach[type_j]) * a;
+    const double end = radsum + (screened ? touching_gap_a(coeffs[type_j]) : reach_a[type_j]) * a;
     return rsq < end * end ? a : 0.0;
   }
 };
@@ -47,28 +47,28 @@ struct RangeTable {
   int types = 0;
   Radius rule = Radius::HARMONIC;
   std::vector<PairCoeffs> coeffs;
-  std::vector<double> reach;
+  std::vector<double> reach_a;
 
   void resize(int ntypes)
   {
     types = ntypes;
     coeffs.assign((ntypes + 1) * (ntypes + 1), {});
-    reach.assign((ntypes + 1) * (ntypes + 1), 0.0);
+    reach_a.assign((ntypes + 1) * (ntypes + 1), 0.0);
   }
   void set(int i, int j, const Settings &s, const TypeCoeffs &k)
   {
     rule = s.radius;
     for (const int n : {i * (types + 1) + j, j * (types + 1) + i}) {
       coeffs[n] = pair_coeffs(s, k);
-      reach[n] = reach_of(s, k);
+      reach_a[n] = Lubcontact_NS::reach_a_of(s, k);
     }
   }
   const PairCoeffs &of(int i, int j) const { return coeffs[i * (types + 1) + j]; }
-  double reach_of_types(int i, int j) const { return reach[i * (types + 1) + j]; }
+  double reach_a_of(int i, int j) const { return reach_a[i * (types + 1) + j]; }
   RangeOf around(int type, double radius, const char *faces) const
   {
     const int row = type * (types + 1);
-    return {&coeffs[row], &reach[row], faces, radius, rule};
+    return {&coeffs[row], &reach_a[row], faces, radius, rule};
   }
 };
 

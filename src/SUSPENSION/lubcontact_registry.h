@@ -69,13 +69,13 @@ inline constexpr EffectRow EFFECTS[] = {
      }},
     {ADHESION, "adhesion", "adhesion", NUM_CHANNELS, NORMAL_CONTACT,
      [](const TypeCoeffs &c) {
-       return c.adhesion > 0.0;
+       return c.adhesion_a > 0.0;
      },
      [](const TypeCoeffs &c) {
-       return c.adhesion > 0.0;
+       return c.adhesion_a > 0.0;
      },
      [](TypeCoeffs &c) {
-       c.adhesion = 0.0;
+       c.adhesion_a = 0.0;
      }},
     {REPULSION, "repulsion", "repulsion", SCREENED_REPULSION, REPULSIVE_FORCE,
      [](const TypeCoeffs &c) {

@@ -106,7 +106,7 @@ void LAMMPS_NS::report_lubcontact(LAMMPS *lmp, const Law &law, const std::string
   std::string text =
       "Pair style lubcontact: what this run simulates\n" + effect_lines(law, run.effects);
   text += fmt::format("  range          {} {:.6g} effective radii, radius {}\n",
-                      Lubcontact_NS::RANGE_NAME[static_cast<int>(s.range)], s.reach,
+                      Lubcontact_NS::RANGE_NAME[static_cast<int>(s.range)], s.reach_a,
                       s.radius == Lubcontact_NS::Radius::HARMONIC ? "harmonic" : "mean");
   text += fmt::format("  viscosity      {:.6g}{}\n", s.viscosity,
                       variable.empty() ? (s.viscosity == 0.0 ? ": dry grains" : "")

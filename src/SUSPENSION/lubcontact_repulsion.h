@@ -25,7 +25,7 @@ struct Repulsion {
   double per_length = 1.0;    // 1/lambda, 1/length
 };
 
-// Repulsive force at the gap u >= 0, length.
+// Repulsive force at the gap u >= 0.
 inline double repulsion_force(const Repulsion &p, double u)
 {
   return p.force * exponential(larger(-690.0, -u * p.per_length));
@@ -46,7 +46,8 @@ inline double lambert_of_exponential(double L)
   return L < -600.0 ? 0.0 : y;
 }
 
-// Gap u, over a, at which A u = r + p exp(-k u), p >= 0 and k > 0 being force and 1/lambda over a.
+// Gap u at which A u = r + p exp(-k u) with p >= 0, k > 0, in any unit of length: over a, p is F0 over
+// g a and k is a/lambda.
 inline double repelled_gap(double r, double A, double p, double k)
 {
   const double free = r / A;

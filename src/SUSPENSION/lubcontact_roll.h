@@ -7,7 +7,7 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Rolling torque of the film, regularised by a spring in series so that it never limits the step.
+// Rolling torque of the film, regularized by a spring in series so that it never limits the step.
 // Resistance: roll_resistance() in lubcontact_film.h.
 
 #ifndef LUBCONTACT_ROLL_H

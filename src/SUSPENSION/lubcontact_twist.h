@@ -7,7 +7,7 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Twisting torque of the film, regularised by a spring in series so that it never limits the step.
+// Twisting torque of the film, regularized by a spring in series so that it never limits the step.
 // Resistance: twist_resistance() in lubcontact_film.h.
 
 #ifndef LUBCONTACT_TWIST_H

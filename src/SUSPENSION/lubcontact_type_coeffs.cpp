@@ -106,20 +106,24 @@ struct Keyword {
   int values;
 };
 
-constexpr Keyword KEYWORDS[] = {{"roughness", "eps", &TypeCoeffs::roughness, 1},
+constexpr Keyword KEYWORDS[] = {{"roughness", "eps", &TypeCoeffs::roughness_a, 1},
                                 {"asperity", "k", &TypeCoeffs::asperity, 1},
-                                {"adhesion", "delta", &TypeCoeffs::adhesion, 1},
+                                {"adhesion", "delta", &TypeCoeffs::adhesion_a, 1},
                                 {"repulsion", "F0 lambda", &TypeCoeffs::repulsion, 2}};
 
 class CoeffParser : protected Pointers {
  public:
-  CoeffParser(LAMMPS *lmp, int narg, char **arg) : Pointers(lmp), narg(narg), arg(arg) {}
+  CoeffParser(LAMMPS *lmp, int narg, char **arg, const std::string &origin) :
+      Pointers(lmp), narg(narg), arg(arg), origin(origin)
+  {
+  }
 
   TypeCoeffs parse(double reach) const;
 
  private:
   int narg;
   char **arg;
+  const std::string origin;    // of words that are not in the input line; appended to messages
 
   double number(int iarg, const Column &, bool zero) const;
   int parse_friction(int iarg, TypeCoeffs &) const;
@@ -158,8 +162,8 @@ int CoeffParser::parse_friction(int iarg, TypeCoeffs &c) const
     error->all(
         FLERR, place_of(input, arg[word]),
         "Pair style lubcontact friction must be none, coulomb mu, or clm step, clm shift or clm "
-        "ramp with mu and the critical load, but is {}",
-        name);
+        "ramp with mu and the critical load, but is {}{}",
+        name, origin);
   c.law = static_cast<FrictionLaw>(law);
   c.friction = c.critical = 0.0;
   const bool has_mu = c.law != FrictionLaw::NONE, has_load = c.law > FrictionLaw::COULOMB;
@@ -202,28 +206,30 @@ TypeCoeffs CoeffParser::parse(double reach) const
     for (const Keyword &keyword : KEYWORDS)
       if (key == keyword.name) found = &keyword;
     if (!found)
-      error->all(FLERR, place_of(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}",
-                 key);
+      error->all(FLERR, place_of(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}{}",
+                 key, origin);
     const int words = parse_keyword(iarg, *found, c);
-    if (found->first == &TypeCoeffs::roughness && c.roughness >= reach)
+    if (found->first == &TypeCoeffs::roughness_a && c.roughness_a >= reach)
       error->all(FLERR, place_of(input, arg[iarg + 1]),
-                 "Pair style lubcontact roughness must be below the range {}, but is {}", reach,
-                 c.roughness);
-    if (found->first == &TypeCoeffs::adhesion) adhesion_word = arg[iarg + 1];
+                 "Pair style lubcontact roughness must be below the range {}, but is {}{}", reach,
+                 c.roughness_a, origin);
+    if (found->first == &TypeCoeffs::adhesion_a) adhesion_word = arg[iarg + 1];
     iarg += words;
   }
-  if (c.adhesion > 0.0 && c.roughness == 0.0)
+  if (c.adhesion_a > 0.0 && c.roughness_a == 0.0)
     error->all(FLERR, place_of(input, adhesion_word),
                "Pair style lubcontact adhesion is of asperities, but these types have none: give "
-               "them a roughness > 0");
+               "them a roughness > 0{}",
+               origin);
   return c;
 }
 
 }    // namespace
 
-TypeCoeffs LubcontactTypeCoeffs::parse(int narg, char **arg, double reach) const
+TypeCoeffs LubcontactTypeCoeffs::parse(int narg, char **arg, double reach,
+                                       const std::string &origin) const
 {
-  return CoeffParser(lmp, narg, arg).parse(reach);
+  return CoeffParser(lmp, narg, arg, origin).parse(reach);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -244,7 +250,7 @@ void LubcontactTypeCoeffs::mix(int i, int j)
 void LubcontactTypeCoeffs::check(int i, int j, const Settings &s) const
 {
   const TypeCoeffs c = of(i, j);
-  bool allowed = c.roughness < s.reach;
+  bool allowed = c.roughness_a < s.reach_a;
   std::string values;
   for (const Column &column : COLUMNS) {
     allowed = allowed && is_allowed(column, c.*column.value);
@@ -256,12 +262,12 @@ void LubcontactTypeCoeffs::check(int i, int j, const Settings &s) const
   const std::string wrong = complaint(c);
   if (!wrong.empty()) error->all(FLERR, "Pair style lubcontact types {} {}: {}", i, j, wrong);
 
-  const double contact = touching_gap(pair_coeffs(s, c));
-  if (c.adhesion > 0.0 && contact >= s.reach && (s.films || c.screening > 0.0))
+  const double contact = touching_gap_a(pair_coeffs(s, c));
+  if (c.adhesion_a > 0.0 && contact >= s.reach_a && (s.films || c.screening > 0.0))
     error->all(FLERR,
                "Adhesive contacts of types {} {} break at {:.6g} effective radii, beyond the range "
                "{} of pair style lubcontact: reduce the adhesion or extend the range",
-               i, j, contact, s.reach);
+               i, j, contact, s.reach_a);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -323,11 +329,11 @@ double LubcontactTypeCoeffs::memory_usage() const
 
 std::string LAMMPS_NS::surface_words(const TypeCoeffs &c)
 {
-  std::string words = fmt::format("asperity {} roughness {} friction {}", c.asperity, c.roughness,
+  std::string words = fmt::format("asperity {} roughness {} friction {}", c.asperity, c.roughness_a,
                                   FRICTION_NAME[static_cast<int>(c.law)]);
   if (c.law != FrictionLaw::NONE) words += fmt::format(" {}", c.friction);
   if (c.law > FrictionLaw::COULOMB) words += fmt::format(" {}", c.critical);
-  if (c.adhesion > 0.0) words += fmt::format(" adhesion {}", c.adhesion);
+  if (c.adhesion_a > 0.0) words += fmt::format(" adhesion {}", c.adhesion_a);
   if (c.screening > 0.0) words += fmt::format(" repulsion {} {}", c.repulsion, c.screening);
   return words;
 }
@@ -340,7 +346,7 @@ std::string LAMMPS_NS::coeff_words(const TypeCoeffs &c)
 std::string LAMMPS_NS::style_words(const Settings &s, const std::string &viscosity)
 {
   std::string text = fmt::format("{} {} {}", viscosity,
-                                 Lubcontact_NS::RANGE_NAME[static_cast<int>(s.range)], s.reach);
+                                 Lubcontact_NS::RANGE_NAME[static_cast<int>(s.range)], s.reach_a);
   if (s.radius == Lubcontact_NS::Radius::MEAN) text += " radius mean";
   for (const auto &row : Lubcontact_NS::EFFECTS)
     if (row.is_film() && !(s.films & row.bit)) text += std::string(" ") + row.name + " no";

@@ -35,8 +35,9 @@ class LubcontactTypeCoeffs : protected Pointers {
   Lubcontact_NS::TypeCoeffs of(int i, int j) const;
   void put(int i, int j, const Lubcontact_NS::TypeCoeffs &);    // for (j,i), too
 
-  // words of pair_coeff behind the types, as typed; returns what they mean
-  Lubcontact_NS::TypeCoeffs parse(int narg, char **arg, double reach) const;
+  // what the words of pair_coeff behind the types mean; origin is appended to messages
+  Lubcontact_NS::TypeCoeffs parse(int narg, char **arg, double reach,
+                                  const std::string &origin = "") const;
   void mix(int i, int j);    // from the like pairs
   void check(int i, int j,
              const Lubcontact_NS::Settings &) const;    // what fix adapt may have changed

@@ -190,7 +190,7 @@ double PairLubcontact::init_one(int i, int j)
   double end = ri + rj;
   if (ri > 0.0 && rj > 0.0)
     end +=
-        pairs->range.reach_of_types(i, j) * Lubcontact_NS::effective_radius(given->radius, ri, rj);
+        pairs->range.reach_a_of(i, j) * Lubcontact_NS::effective_radius(given->radius, ri, rj);
   longest = MAX(longest, end);
   return end;
 }
@@ -207,7 +207,7 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
   fforce = 0.0;
   for (int m = 0; m < SINGLE_EXTRA; m++) svector[m] = 0.0;
   svector[0] = svector[1] = geometry.un;
-  if (geometry.un >= pairs->range.reach_of_types(itype, jtype) * a) return 0.0;
+  if (geometry.un >= pairs->range.reach_a_of(itype, jtype) * a) return 0.0;
   LubcontactPairs::Entry entry;
   if (!pairs->find_entry(i, j, entry) || pairs->acting(entry.owner, entry.n) == 0.0) return 0.0;
 

@@ -66,10 +66,10 @@ static int parse_range(LAMMPS *lmp, int narg, char **arg, Settings &s)
     error->all(FLERR, 2, "Pair style lubcontact range voronoi {}", RadicalTessellation::NO_LIBRARY);
 
   require_words(FLERR, error, "pair_style lubcontact", narg - 1, rule + " hc ...");
-  s.reach = utils::numeric(FLERR, arg[2], false, lmp);
-  if (!(s.reach > 0.0))
+  s.reach_a = utils::numeric(FLERR, arg[2], false, lmp);
+  if (!(s.reach_a > 0.0))
     error->all(FLERR, 3, "Pair style lubcontact range must be > 0 effective radii, but is {}",
-               s.reach);
+               s.reach_a);
   return 3;
 }
 
@@ -168,7 +168,7 @@ void PairLubcontact::coeff(int narg, char **arg)
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
-  const auto typed = coeffs->parse(narg - 2, arg + 2, given->reach);
+  const auto typed = coeffs->parse(narg - 2, arg + 2, given->reach_a);
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
     for (int j = MAX(jlo, i); j <= jhi; j++) {
@@ -187,7 +187,7 @@ void PairLubcontact::write_restart_settings(FILE *fp)
   using Suspension_NS::append_bytes;
   std::string bytes;
   append_bytes(bytes, given->viscosity);
-  append_bytes(bytes, given->reach);
+  append_bytes(bytes, given->reach_a);
   append_bytes(bytes, given->roll_coeff);
   append_bytes(bytes, given->range);
   append_bytes(bytes, given->radius);
@@ -221,7 +221,7 @@ void PairLubcontact::read_restart_settings(FILE *fp)
   std::string bytes = read_bytes(fp, lmp);
   int euler;
   take_bytes(bytes, given->viscosity);
-  take_bytes(bytes, given->reach);
+  take_bytes(bytes, given->reach_a);
   take_bytes(bytes, given->roll_coeff);
   take_bytes(bytes, given->range);
   take_bytes(bytes, given->radius);

@@ -84,16 +84,17 @@ TEST(HardGaps, SmoothSpheresBornDeepInsideEachOtherKeepTheirImpulse)
   for (const double un : {-1e-9, -0.01, -0.3, -0.4, -0.95}) {
     Scene s =
         above(make_coeffs(g, g, 0.0, g, 0.5), eta, un, mass, 1e-300, 0.02 * std::sqrt(mass / g));
-    EXPECT_NEAR(s.pairs[0].load.normal, -g * un, 2.0 * THINNEST * g) << "repels at once";
+    EXPECT_NEAR(s.pairs[0].load.normal, -g * un, 2.0 * THINNEST_A * g) << "repels at once";
     const double c = film_coefficient(eta, 1.0), energy = s.stored() + s.kinetic();
     const double most = mass * std::fabs(un) * std::sqrt(g / mass) / c;
     for (int n = 1; n <= 20000 && s.pairs[0].known; n++) {
       s.step();
       if (!s.pairs[0].known) break;
       const double impulse = ln_gap(s) + mass * speed(s) / c;
-      ASSERT_NEAR(impulse, std::log(THINNEST), 1e-3 * most + 1e-9) << "un " << un << " step " << n;
+      ASSERT_NEAR(impulse, std::log(THINNEST_A), 1e-3 * most + 1e-9)
+          << "un " << un << " step " << n;
       ASSERT_LE(s.stored() + s.kinetic(), energy * (1.0 + 1e-3));
-      ASSERT_LT(s.spheres[1].x.z - 2.0, std::fabs(un) * 1.001 + 2.0 * THINNEST);
+      ASSERT_LT(s.spheres[1].x.z - 2.0, std::fabs(un) * 1.001 + 2.0 * THINNEST_A);
     }
   }
 }
@@ -165,7 +166,7 @@ TEST(HardGaps, NoChatterAtTheBorderOfContact)
 TEST(HardGaps, AnAdhesiveContactFormsAndBreaksOnceHoweverTheSurfacesTremble)
 {
   GapLaw law = gap_law(2.0, 0.01);
-  law.release = 0.012;
+  law.release_a = 0.012;
   law.ln_release = std::log(0.012);
   const double broken = 0.012 + 2.0 * 0.002;    // un at which it breaks, film at rest
   Gap gap{0.02, std::log(0.02)};
@@ -198,8 +199,8 @@ TEST(HardGaps, APairAtOneHundredMillionthPulledOpenInAFewSteps)
         gap = gap_step(smooth, gap, u0 + (un1 - u0) * n / steps, u0 + (un1 - u0) * (n + 1) / steps,
                        h / steps);
         // suction: never more than the bulk holds, never repulsion
-        ASSERT_LT(gap.u, u0 + (un1 - u0) * (n + 1) / steps);
-        ASSERT_GT(gap.u, 0.0);
+        ASSERT_LT(gap.u_a, u0 + (un1 - u0) * (n + 1) / steps);
+        ASSERT_GT(gap.u_a, 0.0);
       }
       // sixteen pieces of a step: an exponential of a mean instead of a mean of exponentials
       EXPECT_NEAR(gap.ln_u, exact, h > 1.0 ? 3e-4 : 1e-9) << steps << " steps, h " << h;

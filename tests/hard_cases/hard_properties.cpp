@@ -55,8 +55,8 @@ struct Draw {
                           rnd.uniform(0.0, 1.0) < 0.8 ? rnd.uniform(0.0, 1.0) : 0.0);
     GapLaw &law = scene.c.normal.gap;
     if (eps > 0.0) {
-      law.release = eps + rnd.uniform(0.0, 0.5) * eps / (1.0 + law.alpha);
-      law.ln_release = std::log(law.release);
+      law.release_a = eps + rnd.uniform(0.0, 0.5) * eps / (1.0 + law.alpha);
+      law.ln_release = std::log(law.release_a);
     }
     // 1e-6 of the repulsion at least dies out within the range
     scene.c.normal.repulsion = {rnd.log_uniform(0.1, 20.0), rnd.uniform(14.0, 60.0) / hc};
@@ -123,9 +123,10 @@ std::string words(std::uint64_t seed, const Draw &d)
   out.precision(17);
   const Scene &s = d.scene;
   out << "seed " << seed << (d.flat ? " 2d" : " 3d") << " mask " << s.law.mask << " eta "
-      << s.film.viscosity << " range " << s.film.range << (s.film.shift > 0.0 ? " shifted" : " cut")
-      << " k " << s.c.normal.asperity << " kt " << s.c.kt << " eps " << s.c.normal.gap.eps
-      << " release " << s.c.normal.gap.release << " mu " << s.c.mu << " dt " << s.dt;
+      << s.film.viscosity << " range " << s.film.reach_a
+      << (s.film.shift > 0.0 ? " shifted" : " cut") << " k " << s.c.normal.asperity << " kt "
+      << s.c.kt << " eps " << s.c.normal.gap.eps_a << " release " << s.c.normal.gap.release_a
+      << " mu " << s.c.mu << " dt " << s.dt;
   for (const Sphere &p : s.spheres) out << "\n  radius " << p.radius << " mass " << p.mass;
   return out.str();
 }

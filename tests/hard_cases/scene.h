@@ -133,7 +133,7 @@ struct Scene {
       const double a = effective_radius(rule, si.radius, sj.radius);
       const PairGeometry before = p.g;
       p.g = pair_geometry(si.x, sj.x, si.radius, sj.radius, a);
-      if (p.g.un >= film.range * a) {
+      if (p.g.un >= film.reach_a * a) {
         if (p.known) dropped += total(law.stored(c, before, p.load, p.history));
         p.known = false;
         continue;
@@ -168,7 +168,7 @@ struct Scene {
 inline PairCoeffs make_coeffs(double g, double k, double eps, double kt, double mu)
 {
   PairCoeffs c{{g, k, {k / g, eps, eps > 0.0 ? std::log(eps) : -HUGE_VAL, false}}, kt, mu};
-  c.normal.gap.release = eps;
+  c.normal.gap.release_a = eps;
   c.normal.gap.ln_release = c.normal.gap.ln_eps;
   return c;
 }

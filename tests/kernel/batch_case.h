@@ -22,8 +22,8 @@ struct Case {
     c = {{g, k, {k / g, eps, eps > 0.0 ? std::log(eps) : -HUGE_VAL, false}},
          rnd.log_uniform(1e2, 1e4),
          rnd.uniform(0.0, 1.0)};
-    c.normal.gap.release = eps > 0.0 && rnd.coin() ? eps * rnd.uniform(1.0, 2.0) : eps;
-    c.normal.gap.ln_release = c.normal.gap.release > eps ? std::log(c.normal.gap.release)
+    c.normal.gap.release_a = eps > 0.0 && rnd.coin() ? eps * rnd.uniform(1.0, 2.0) : eps;
+    c.normal.gap.ln_release = c.normal.gap.release_a > eps ? std::log(c.normal.gap.release_a)
                                                          : c.normal.gap.ln_eps;
     if (rnd.coin()) c.normal.repulsion = {rnd.log_uniform(1e-2, 1e2), rnd.log_uniform(10.0, 1e3)};
     const FrictionLaw laws[] = {FrictionLaw::COULOMB, FrictionLaw::STEP, FrictionLaw::SHIFT,
@@ -41,14 +41,14 @@ struct Case {
   template <class E> void set_history(Random &rnd, const PairGeometry &g)
   {
     if constexpr (E::gap_history) {
-      const double u = g.un > 0.0 ? g.gap * rnd.uniform(0.9, 1.1) : rnd.log_uniform(1e-4, 1e-2);
+      const double u = g.un > 0.0 ? g.un_a * rnd.uniform(0.9, 1.1) : rnd.log_uniform(1e-4, 1e-2);
       history[E::GAP_SLOT] = u;
       history[E::GAP_SLOT + 1] = std::log(u);
     }
     if constexpr (E::adhesion) {
-      const double u = E::gap_history ? history[E::GAP_SLOT] : g.gap;
-      const bool may = u < c.normal.gap.release && rnd.coin();
-      history[E::BOND_SLOT] = may || u < c.normal.gap.eps ? 1.0 : 0.0;
+      const double u = E::gap_history ? history[E::GAP_SLOT] : g.un_a;
+      const bool may = u < c.normal.gap.release_a && rnd.coin();
+      history[E::BOND_SLOT] = may || u < c.normal.gap.eps_a ? 1.0 : 0.0;
     }
     if constexpr (E::surface_history)
       history[E::SURFACE_SLOT] = g.un + g.a * rnd.uniform(-1e-4, 1e-4);
@@ -69,9 +69,9 @@ inline void put(const Case &k, Batch &b, int l)
   b.g[l] = k.c.normal.g;
   b.asperity[l] = k.c.normal.asperity;
   b.alpha[l] = k.c.normal.gap.alpha;
-  b.eps[l] = k.c.normal.gap.eps;
+  b.eps_a[l] = k.c.normal.gap.eps_a;
   b.ln_eps[l] = k.c.normal.gap.ln_eps;
-  b.release[l] = k.c.normal.gap.release;
+  b.release_a[l] = k.c.normal.gap.release_a;
   b.ln_release[l] = k.c.normal.gap.ln_release;
   b.repulsion[l] = k.c.normal.repulsion.force;
   b.per_screening[l] = k.c.normal.repulsion.per_length;

@@ -70,7 +70,7 @@ TEST(Batch, SaysWhichStepsAreNotUsual)
       b.radius_i[l] = b.radius_j[l] = b.a[l] = 1.0;
       b.g[l] = b.asperity[l] = 1000.0;
       b.alpha[l] = 1.0;
-      b.eps[l] = eps;
+      b.eps_a[l] = eps;
       b.ln_eps[l] = std::log(eps);
       b.history[E::GAP_SLOT][l] = u;
       b.history[E::GAP_SLOT + 1][l] = std::log(u);

@@ -25,7 +25,7 @@ PairCoeffs coeffs_of(unsigned mask)
 {
   const double eps = 0.01;
   GapLaw gap{1.0, eps, std::log(eps), false};
-  gap.release = eps;
+  gap.release_a = eps;
   gap.ln_release = gap.ln_eps;
   PairCoeffs c{{1e3, 1e3, gap}, 5e2, mask & FRICTION ? 0.5 : 0.0};
   if (mask & THRESHOLD) c.threshold = make_threshold(FrictionLaw::SHIFT, 0.5);
@@ -91,7 +91,7 @@ template <unsigned INSTANCE> std::vector<Result> run(unsigned mask, bool togethe
         b.g[0] = c.normal.g;
         b.asperity[0] = c.normal.asperity;
         b.alpha[0] = c.normal.gap.alpha;
-        b.eps[0] = c.normal.gap.eps;
+        b.eps_a[0] = c.normal.gap.eps_a;
         b.ln_eps[0] = c.normal.gap.ln_eps;
         b.kt[0] = c.kt;
         b.mu[0] = c.mu;

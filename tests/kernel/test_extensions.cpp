@@ -16,7 +16,7 @@ NormalCoeffs make_coeffs(double g, double k, double eps, double delta, double F0
                          double length = 1.0)
 {
   NormalCoeffs c{g, k, {k / g, eps, eps > 0.0 ? std::log(eps) : -HUGE_VAL, false}};
-  c.gap.release = eps + delta;
+  c.gap.release_a = eps + delta;
   c.gap.ln_release = delta > 0.0 ? std::log(eps + delta) : c.gap.ln_eps;
   c.repulsion = {F0, 1.0 / length};
   return c;
@@ -60,14 +60,14 @@ template <unsigned X> Outcome follow(const LawsCase &c, int steps)
 
 template <unsigned X> double force(const NormalCoeffs &c, double a, double un, const Gap &gap)
 {
-  const NormalForce f = normal_force<X>(c, a, a * un, a * gap.u, true, gap.bond);
+  const NormalForce f = normal_force<X>(c, a, a * un, a * gap.u_a, true, gap.bond);
   return f.contact + f.film + f.repulsion;
 }
 
 // Energy over a pair of gap and surfaces, in units of a.
 template <unsigned X> double energy(const NormalCoeffs &c, double a, double un, const Gap &gap)
 {
-  return normal_energy<X>(c, a, a * un, a * gap.u, gap.bond);
+  return normal_energy<X>(c, a, a * un, a * gap.u_a, gap.bond);
 }
 
 // Any coefficients, and a gap that may be far from rest.
@@ -84,7 +84,7 @@ struct Draw {
                     a * rnd.log_uniform(1e-3, 0.1));
     un = rnd.uniform(-2.0, 5.0) * eps;
     const double u = eps * rnd.log_uniform(1e-2, 10.0);
-    gap = gap_of(u, u < eps || (u < c.gap.release && rnd.coin()));
+    gap = gap_of(u, u < eps || (u < c.gap.release_a && rnd.coin()));
   }
 };
 
@@ -133,8 +133,8 @@ TEST(Extensions, ThatAreZeroAreTheLawWithoutThemBitForBit)
       ASSERT_EQ(no_bond.ln_u, plain.ln_u);
       ASSERT_EQ(both.ln_u, plain.ln_u);
       const bool film = f.viscosity > 0.0;
-      const NormalForce p = normal_force(c, a, a * un1, a * plain.u, film);
-      const NormalForce q = normal_force<BOTH>(c, a, a * un1, a * both.u, film, both.bond);
+      const NormalForce p = normal_force(c, a, a * un1, a * plain.u_a, film);
+      const NormalForce q = normal_force<BOTH>(c, a, a * un1, a * both.u_a, film, both.bond);
       EXPECT_NEAR(p.contact, q.contact, 1e-12 * c.g * a);
       EXPECT_NEAR(p.film, q.film, 1e-12 * c.g * a);
       EXPECT_EQ(q.repulsion, 0.0);
@@ -151,14 +151,14 @@ TEST(Extensions, ElasticGapBalancesAllForcesAndIsARestOfTheStep)
   for (int trial = 0; trial < 20000; trial++) {
     const Draw d(rnd);
     const bool bond = elastic_contact<BOTH>(d.c, d.a, d.un, d.gap.bond);
-    const double u = elastic_gap<BOTH>(d.c, d.a, d.un, bond);
-    if (u <= THINNEST) continue;
-    const double k = bond ? d.c.asperity : 0.0, eps = d.c.gap.eps;
+    const double u = elastic_gap_a<BOTH>(d.c, d.a, d.un, bond);
+    if (u <= THINNEST_A) continue;
+    const double k = bond ? d.c.asperity : 0.0, eps = d.c.gap.eps_a;
     const double pushed = repulsion_force(d.c.repulsion, d.a * u);
     const double size = d.c.g * d.a * (std::fabs(d.un) + u) + k * eps * d.a + pushed;
     EXPECT_NEAR(d.c.g * d.a * (u - d.un), k * d.a * (eps - u) + pushed, 1e-11 * size);
     // the border belongs to the bond that holds, to rounding
-    EXPECT_TRUE(bond ? u <= d.c.gap.release * (1.0 + 1e-9) : u >= eps * (1.0 - 1e-9));
+    EXPECT_TRUE(bond ? u <= d.c.gap.release_a * (1.0 + 1e-9) : u >= eps * (1.0 - 1e-9));
     // without a bond it would be the same where only one rest exists
     const Gap next = next_gap<BOTH>(d.c, f, d.a, gap_of(u, bond), d.un, d.un, 1e-3);
     EXPECT_NEAR(next.ln_u, std::log(u), 1e-9);
@@ -172,16 +172,17 @@ TEST(Extensions, EnergyIsTheWorkOfTheForces)
   Random rnd(3);
   for (int trial = 0; trial < 5000; trial++) {
     const Draw d(rnd);
-    const double e = 1e-5 * d.gap.u;
-    if (std::fabs(d.gap.u - d.c.gap.eps) < 2.0 * e) continue;
-    const NormalForce f = normal_force<BOTH>(d.c, d.a, d.a * d.un, d.a * d.gap.u, true, d.gap.bond);
+    const double e = 1e-5 * d.gap.u_a;
+    if (std::fabs(d.gap.u_a - d.c.gap.eps_a) < 2.0 * e) continue;
+    const NormalForce f =
+        normal_force<BOTH>(d.c, d.a, d.a * d.un, d.a * d.gap.u_a, true, d.gap.bond);
     auto at = [&](double un, double u) {
       return normal_energy<BOTH>(d.c, d.a, d.a * un, d.a * u, d.gap.bond);
     };
-    const double by_un = (at(d.un + e, d.gap.u) - at(d.un - e, d.gap.u)) / (2.0 * e * d.a);
-    const double by_u = (at(d.un, d.gap.u + e) - at(d.un, d.gap.u - e)) / (2.0 * e * d.a);
+    const double by_un = (at(d.un + e, d.gap.u_a) - at(d.un - e, d.gap.u_a)) / (2.0 * e * d.a);
+    const double by_u = (at(d.un, d.gap.u_a + e) - at(d.un, d.gap.u_a - e)) / (2.0 * e * d.a);
     const double size = std::fabs(f.film) + std::fabs(f.contact) + f.repulsion +
-        at(d.un, d.gap.u) * 1e-3 / (d.a * e);    // rounding of the difference, 1e-9 of this
+        at(d.un, d.gap.u_a) * 1e-3 / (d.a * e);    // rounding of the difference, 1e-9 of this
     EXPECT_NEAR(-by_un, f.contact + f.film + f.repulsion, 1e-6 * size);
     EXPECT_NEAR(by_u, f.film, 1e-6 * size);
   }
@@ -195,15 +196,15 @@ TEST(Adhesion, SmoothSurfacesNeverHold)
     const Film f = make_film(eta, 2.0, Range::CUT, 0.6);
     const bool bond = elastic_contact<ADHESION>(c, 1.0, -0.01, false);
     EXPECT_FALSE(bond);
-    Gap gap = gap_of(elastic_gap<ADHESION>(c, 1.0, -0.01, bond), bond), plain = gap;
-    EXPECT_EQ(gap.u, elastic_gap(c.gap, -0.01));
+    Gap gap = gap_of(elastic_gap_a<ADHESION>(c, 1.0, -0.01, bond), bond), plain = gap;
+    EXPECT_EQ(gap.u_a, elastic_gap_a(c.gap, -0.01));
     for (const double un : {-0.01, -0.005, 0.001, 0.1, 0.1}) {
       gap = next_gap<ADHESION>(c, f, 1.0, gap, un, un, 1.0);
       plain = next_gap(c, f, 1.0, plain, un, un, 1.0);
       EXPECT_EQ(gap.ln_u, plain.ln_u);
       EXPECT_FALSE(gap.bond);
-      const NormalForce a = normal_force<ADHESION>(c, 1.0, un, gap.u, eta > 0.0, gap.bond);
-      const NormalForce b = normal_force(c, 1.0, un, plain.u, eta > 0.0);
+      const NormalForce a = normal_force<ADHESION>(c, 1.0, un, gap.u_a, eta > 0.0, gap.bond);
+      const NormalForce b = normal_force(c, 1.0, un, plain.u_a, eta > 0.0);
       EXPECT_EQ(a.contact, b.contact);
       EXPECT_EQ(a.film, b.film);
     }
@@ -223,8 +224,8 @@ TEST(Adhesion, HoldsUntilTheGapExceedsTheReleaseAndNoLonger)
     for (int n = 0; n < 400; n++) gap = next_gap<ADHESION>(c, f, a, gap, un, un, 30.0);
     EXPECT_EQ(gap.bond, holds) << un;
     const double rest = holds ? (un + alpha * eps) / (1.0 + alpha) : un;
-    EXPECT_NEAR(gap.u, rest, 1e-9) << un;
-    const NormalForce force = normal_force<ADHESION>(c, a, a * un, a * gap.u, true, gap.bond);
+    EXPECT_NEAR(gap.u_a, rest, 1e-9) << un;
+    const NormalForce force = normal_force<ADHESION>(c, a, a * un, a * gap.u_a, true, gap.bond);
     EXPECT_NEAR(force.contact, holds ? k * a * (eps - rest) : 0.0, 1e-6) << un;
     EXPECT_NEAR(force.film, 0.0, 1e-6);
     // the same without film
@@ -251,7 +252,7 @@ TEST(Adhesion, DoesNotDependOnWhereTheStepIsCut)
     const NormalCoeffs c = make_coeffs(1.0, alpha, eps, eps * rnd.log_uniform(1e-3, 2.0));
     const bool bond = rnd.coin();
     const double u = bond ? eps * rnd.uniform(0.1, 1.0) : eps * rnd.uniform(1.0, 3.0);
-    const double un = bond ? c.gap.release * (1.0 + alpha) * rnd.uniform(0.5, 2.0)
+    const double un = bond ? c.gap.release_a * (1.0 + alpha) * rnd.uniform(0.5, 2.0)
                            : eps * rnd.uniform(-2.0, 1.5);
     const double dt = squeeze_coeff(1.0) * rnd.log_uniform(0.01, 30.0) / eps / (1.0 + alpha);
     const double cut = rnd.uniform(0.0, 1.0);
@@ -277,7 +278,7 @@ TEST(Adhesion, TimeOfTheBreakIsThatOfTheClosedForm)
   const NormalCoeffs c = make_coeffs(1.0, alpha, eps, delta);
   ASSERT_LT(t, h);
   const Gap end = gap_step<ADHESION>(c.gap, gap_of(u0, true), un, un, h);
-  EXPECT_NEAR(end.u, exact, 1e-12);
+  EXPECT_NEAR(end.u_a, exact, 1e-12);
   EXPECT_FALSE(end.bond);
   EXPECT_TRUE(gap_step<ADHESION>(c.gap, gap_of(u0, true), un, un, t - 1e-9).bond);
   EXPECT_FALSE(gap_step<ADHESION>(c.gap, gap_of(u0, true), un, un, t + 1e-9).bond);
@@ -290,7 +291,7 @@ TEST(Adhesion, ACycleLosesTheEnergyOfTheBreak)
   const NormalCoeffs c = make_coeffs(g, k, eps, delta);
   const double breaks = eps + delta * (1.0 + k / g);
   const double lost = 0.5 * k * delta * delta * a * a * (1.0 + k / g);
-  const double held = elastic_gap<ADHESION>(c, a, breaks, true);
+  const double held = elastic_gap_a<ADHESION>(c, a, breaks, true);
   EXPECT_NEAR(energy<ADHESION>(c, a, breaks, gap_of(held, true)), lost, 1e-12);
   EXPECT_NEAR(energy<ADHESION>(c, a, breaks, gap_of(breaks, false)), 0.0, 1e-15);
 
@@ -307,7 +308,8 @@ TEST(Adhesion, ACycleLosesTheEnergyOfTheBreak)
       const bool bond = gap.bond;
       gap = next_gap<ADHESION>(c, f, a, gap, un0, un1, 1e-2);
       changes += bond != gap.bond;
-      const NormalForce n1 = normal_force<ADHESION>(c, a, a * un1, a * gap.u, eta > 0.0, gap.bond);
+      const NormalForce n1 =
+          normal_force<ADHESION>(c, a, a * un1, a * gap.u_a, eta > 0.0, gap.bond);
       const double now = n1.contact + n1.film;
       work -= 0.5 * (old + now) * a * (un1 - un0);
       old = now;
@@ -328,7 +330,7 @@ TEST(Repulsion, RelaxesToItsRestAtTheLinearRate)
     const NormalCoeffs c = make_coeffs(g, g, eps, 0.0, F0, length);
     const double un = -0.02, p = F0 / (g * a), k = a / length;
     const bool touch = elastic_contact<REPULSION>(c, a, un, false);
-    const double u = elastic_gap<REPULSION>(c, a, un, false);
+    const double u = elastic_gap_a<REPULSION>(c, a, un, false);
     EXPECT_EQ(touch, eps > 0.0);
     const double rate = u * ((touch ? 2.0 : 1.0) + k * p * std::exp(-k * u));
     for (const double start : {1e-5, -1e-5}) {
@@ -336,7 +338,7 @@ TEST(Repulsion, RelaxesToItsRestAtTheLinearRate)
       const int steps = 2000;
       const double h = 3.0 / rate / steps;
       for (int n = 0; n < steps; n++) gap = next_gap<REPULSION>(c, f, a, gap, un, un, h * tau);
-      EXPECT_NEAR((gap.u / u - 1.0) / start, std::exp(-3.0), 1e-4);
+      EXPECT_NEAR((gap.u_a / u - 1.0) / start, std::exp(-3.0), 1e-4);
     }
   }
 }
@@ -351,10 +353,10 @@ TEST(Extensions, AStepOfAnyLengthIsFiniteAndSettles)
     // moved there in one step, then held
     gap = next_gap<BOTH>(d.c, f, d.a, gap, d.un + rnd.uniform(-0.1, 0.1), d.un,
                          rnd.log_uniform(1e-9, 1e9));
-    ASSERT_TRUE(std::isfinite(gap.ln_u) && gap.u >= 0.0);
+    ASSERT_TRUE(std::isfinite(gap.ln_u) && gap.u_a >= 0.0);
     for (int n = 0; n < 200; n++) gap = next_gap<BOTH>(d.c, f, d.a, gap, d.un, d.un, 1e9);
-    const double rest = elastic_gap<BOTH>(d.c, d.a, d.un, gap.bond);
-    if (rest > THINNEST) { EXPECT_NEAR(gap.u, rest, 1e-9 * (rest + 1.0)) << "trial " << trial; }
+    const double rest = elastic_gap_a<BOTH>(d.c, d.a, d.un, gap.bond);
+    if (rest > THINNEST_A) { EXPECT_NEAR(gap.u_a, rest, 1e-9 * (rest + 1.0)) << "trial " << trial; }
     EXPECT_EQ(gap.bond, elastic_contact<BOTH>(d.c, d.a, d.un, gap.bond));
   }
 }
@@ -391,9 +393,9 @@ TEST(Repulsion, HoweverStiffDoesNotLimitTheTimeStep)
     // dry, an impact is not smooth and Verlet conserves its energy in small steps only
     const double dt = (eta > 1e-5 ? 1.8 : 0.3) / std::sqrt(g), weight = 0.05;
     double un = 0.01, v = 0.0, highest = 0.0;
-    Gap gap = gap_of(elastic_gap<REPULSION>(c, 1.0, un, false), false);
+    Gap gap = gap_of(elastic_gap_a<REPULSION>(c, 1.0, un, false), false);
     auto push = [&](const Gap &at) {
-      const NormalForce n = normal_force<REPULSION>(c, 1.0, un, at.u, eta > 0.0);
+      const NormalForce n = normal_force<REPULSION>(c, 1.0, un, at.u_a, eta > 0.0);
       return n.contact + n.film + n.repulsion - weight;
     };
     double F = push(gap);

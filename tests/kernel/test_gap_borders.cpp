@@ -227,10 +227,11 @@ TEST(GapCrossing, IsFoundToTenDigitsHoweverFlat)
                       0.5 * t * h * t * (un1 - un0), 1.0, t * h};
       GapLaw law = make_law(2.0, 0.1);
       law.ln_eps = part.any();
-      law.eps = std::exp(law.ln_eps);
+      law.eps_a = std::exp(law.ln_eps);
       const Gap old = gap_of(y0), end = gap_branch(law, false, old, un0, un1, h);
       ASSERT_LT(end.ln_u, law.ln_eps);
-      const double slope = std::fabs(un0 + t * (un1 - un0) - law.eps) * h;    // of y over the step
+      const double slope =
+          std::fabs(un0 + t * (un1 - un0) - law.eps_a) * h;    // of y over the step
       EXPECT_NEAR(gap_crossing(law, false, old, end, un0, un1, h), t, 1e-11 + 2e-13 / slope)
           << t << " " << un1;
     }

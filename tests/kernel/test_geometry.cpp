@@ -60,7 +60,7 @@ TEST(PairGeometry, AgreesWithHandComputedValues)
   expect_near(g.n, {0.6, 0.8, 0.0}, 1e-15);    // from j to i
   EXPECT_NEAR(g.r, 5.0, 1e-15);
   EXPECT_NEAR(g.un, 0.5, 1e-15);
-  EXPECT_NEAR(g.gap, 0.25, 1e-15);
+  EXPECT_NEAR(g.un_a, 0.25, 1e-15);
   EXPECT_EQ(g.a, 2.0);
   EXPECT_NEAR(g.arm_i, 1.25, 1e-15);
   EXPECT_NEAR(g.arm_j, 3.75, 1e-15);

@@ -49,17 +49,17 @@ double error_of(const GapCase &c, int steps, bool euler)
 TEST(ElasticGap, FollowsTheSurfacesUntilTheAsperitiesTouch)
 {
   const GapLaw law = make_coeffs(1.0, 3.0, 0.02).gap;
-  EXPECT_NEAR(elastic_gap(law, 0.5), 0.5, 1e-15);
-  EXPECT_NEAR(elastic_gap(law, 0.02), 0.02, 1e-15);
-  EXPECT_NEAR(elastic_gap(law, 0.0), 0.015, 1e-15);     // (0 + 3*0.02)/4
-  EXPECT_NEAR(elastic_gap(law, -0.02), 0.01, 1e-15);    // (-0.02 + 0.06)/4
+  EXPECT_NEAR(elastic_gap_a(law, 0.5), 0.5, 1e-15);
+  EXPECT_NEAR(elastic_gap_a(law, 0.02), 0.02, 1e-15);
+  EXPECT_NEAR(elastic_gap_a(law, 0.0), 0.015, 1e-15);     // (0 + 3*0.02)/4
+  EXPECT_NEAR(elastic_gap_a(law, -0.02), 0.01, 1e-15);    // (-0.02 + 0.06)/4
 }
 
 TEST(ElasticGap, CrushedOrSmoothAndOverlappingIsThinButPositive)
 {
-  EXPECT_EQ(elastic_gap(make_coeffs(1.0, 3.0, 0.02).gap, -0.1), 1e-8);
-  EXPECT_EQ(elastic_gap(make_coeffs(1.0, 1.0, 0.0).gap, -0.1), 1e-8);
-  EXPECT_EQ(elastic_gap(make_coeffs(1.0, 1.0, 0.0).gap, 0.0), 1e-8);
+  EXPECT_EQ(elastic_gap_a(make_coeffs(1.0, 3.0, 0.02).gap, -0.1), 1e-8);
+  EXPECT_EQ(elastic_gap_a(make_coeffs(1.0, 1.0, 0.0).gap, -0.1), 1e-8);
+  EXPECT_EQ(elastic_gap_a(make_coeffs(1.0, 1.0, 0.0).gap, 0.0), 1e-8);
 }
 
 TEST(ElasticGap, IsARestOfTheStepAndTheFilmCarriesNothing)
@@ -70,7 +70,7 @@ TEST(ElasticGap, IsARestOfTheStepAndTheFilmCarriesNothing)
     const NormalCoeffs c = make_coeffs(1e3, 1e3 * rnd.log_uniform(1e-3, 1e3), eps);
     const Film f = make_film(rnd.log_uniform(1e-3, 1e3), 2.0, Range::CUT, 0.6);
     const double un = rnd.uniform(-0.9 * c.gap.alpha, 5.0) * eps;
-    const double u = elastic_gap(c.gap, un);
+    const double u = elastic_gap_a(c.gap, un);
     const Gap next = next_gap(c, f, a, {u, std::log(u)}, un, un, rnd.log_uniform(1e-6, 1.0));
     EXPECT_NEAR(next.ln_u, std::log(u), 1e-9);
     const NormalForce force = normal_force(c, a, a * un, a * u, true);
@@ -104,7 +104,7 @@ TEST(NormalForce, DryPairNeverAttracts)
     const double eps = rnd.coin() ? rnd.log_uniform(1e-8, 0.1) : 0.0, a = rnd.uniform(0.1, 5.0);
     const NormalCoeffs c = make_coeffs(1e3, rnd.log_uniform(1e-3, 1e9), eps);
     const double un = rnd.log_uniform(1e-10, 1.0) * (rnd.coin() ? 1.0 : -1.0);
-    const NormalForce f = normal_force(c, a, a * un, a * elastic_gap(c.gap, un), false);
+    const NormalForce f = normal_force(c, a, a * un, a * elastic_gap_a(c.gap, un), false);
     EXPECT_GE(f.contact, 0.0);
     EXPECT_EQ(f.film, 0.0);
     if (un > eps) { EXPECT_EQ(f.contact, 0.0); }
@@ -117,11 +117,11 @@ TEST(NormalForce, DryForceIsThatOfTwoSpringsInSeries)
   const NormalCoeffs c = make_coeffs(100.0, 300.0, 0.02);
   const double a = 2.0;
   for (const double un : {0.01, 0.0, -0.03, -0.059}) {
-    const double f = normal_force(c, a, a * un, a * elastic_gap(c.gap, un), false).contact;
+    const double f = normal_force(c, a, a * un, a * elastic_gap_a(c.gap, un), false).contact;
     EXPECT_NEAR(f, 75.0 * a * (0.02 - un), 1e-12) << "un = " << un;
   }
   // crushed: the bulk alone
-  const double f = normal_force(c, a, a * -0.1, a * elastic_gap(c.gap, -0.1), false).contact;
+  const double f = normal_force(c, a, a * -0.1, a * elastic_gap_a(c.gap, -0.1), false).contact;
   EXPECT_NEAR(f, 100.0 * a * (0.1 + 1e-8), 1e-12);
 }
 
@@ -204,8 +204,8 @@ TEST(NextGap, TinyViscosityTendsToTheDryPair)
       const double un1 = 0.01 + 0.02 * std::cos(2.0 * PI_ * n / steps);
       gap = next_gap(c, f, a, gap, un0, un1, dt);
       un0 = un1;
-      const NormalForce wet = normal_force(c, a, a * un1, a * gap.u, true);
-      const NormalForce dry = normal_force(c, a, a * un1, a * elastic_gap(c.gap, un1), false);
+      const NormalForce wet = normal_force(c, a, a * un1, a * gap.u_a, true);
+      const NormalForce dry = normal_force(c, a, a * un1, a * elastic_gap_a(c.gap, un1), false);
       worst = std::fmax(worst, std::fabs(wet.contact + wet.film - dry.contact));
       worst = std::fmax(worst, std::fabs(wet.contact - dry.contact));
     }
@@ -224,7 +224,7 @@ TEST(NextGap, ThinFilmBetweenSmoothSurfacesNeverPushesHarderThanTheSurfacesAllow
     const Film f = make_film(eta, 2.0, Range::CUT, 0.6);
     for (const double un1 : {1e-5, 1e-7, 0.0, -1e-7}) {
       const Gap gap = next_gap(c, f, a, {0.01, std::log(0.01)}, 0.01, un1, dt);
-      const NormalForce force = normal_force(c, a, a * un1, a * gap.u, true);
+      const NormalForce force = normal_force(c, a, a * un1, a * gap.u_a, true);
       ASSERT_LE(force.film, g * a * (0.01 - un1)) << "eta " << eta << " un " << un1;
       ASSERT_GE(force.film, -g * a * 0.01) << "eta " << eta << " un " << un1;
     }
@@ -239,8 +239,8 @@ TEST(NextGap, ZeroAndNegligibleViscosityAreDry)
     EXPECT_TRUE(is_dry(c, f, 1.0, 1e-3));
     for (const double un : {0.1, 0.01, -0.01, -0.5}) {
       const Gap gap = next_gap(c, f, 1.0, gap_of(-50.0), 0.3, un, 1e-3);
-      EXPECT_EQ(gap.u, elastic_gap(c.gap, un));
-      EXPECT_NEAR(gap.ln_u, std::log(gap.u), 1e-15);
+      EXPECT_EQ(gap.u_a, elastic_gap_a(c.gap, un));
+      EXPECT_NEAR(gap.ln_u, std::log(gap.u_a), 1e-15);
     }
   }
   EXPECT_FALSE(is_dry(c, make_film(1e-9, 2.0, Range::CUT, 0.6), 1.0, 1e-3));
@@ -260,7 +260,7 @@ TEST(ShiftedRange, SqueezeForceVanishesAtItsEnd)
     gap = next_gap(c, f, a, gap, un, un1, dt * (un1 - un) / (speed * dt));
     un = un1;
     if (un < 0.11) continue;    // the deflection sets in
-    last = normal_force(c, a, a * un, a * gap.u, true).film;
+    last = normal_force(c, a, a * un, a * gap.u_a, true).film;
     const double exact = -1.5 * PI_ * eta * a * a * (1.0 - un / range) * speed / un;
     ASSERT_NEAR(last, exact, 2e-3 * std::fabs(exact) + 2e-4) << "un = " << un;
   }
@@ -301,6 +301,6 @@ TEST(FilmSteps, IsPositiveAndFiniteForAnything)
     // the resistance is never more than the whole
     ASSERT_GE(h, 1.0 / (1.5 * PI_ * eta) * (1.0 - 1e-12));
     const Gap next = next_gap(c, f, 1.0, gap_of(ln_u), un0, un1, 1.0);
-    ASSERT_TRUE(std::isfinite(next.ln_u) && next.u >= 0.0);
+    ASSERT_TRUE(std::isfinite(next.ln_u) && next.u_a >= 0.0);
   }
 }

@@ -26,7 +26,7 @@ TEST(IsDry, WhereTheFilmRestsWithinATrillionthOfTheStep)
   for (const double un : {0.3, 0.005, -0.005}) {
     const Film film = make_film(1.001 * border, 2.0, Range::CUT, 0.6);
     const Gap wet = next_gap(c, film, a, {0.02, std::log(0.02)}, un, un, dt);
-    EXPECT_NEAR(wet.u, elastic_gap(c.gap, un), 1e-12) << un;
+    EXPECT_NEAR(wet.u_a, elastic_gap_a(c.gap, un), 1e-12) << un;
   }
 }
 
@@ -101,7 +101,7 @@ TEST(Repulsion, ALongStepIsTakenInPiecesOfSmallChanges)
 TEST(ElasticContact, BeginsAtTheRoughnessAndEndsWhereItsLoadWouldPassTheRelease)
 {
   NormalCoeffs c = make_coeffs(100.0, 300.0, 0.02);
-  c.gap.release = 0.03;
+  c.gap.release_a = 0.03;
   const double ends = 0.02 + 4.0 * 0.01, e = 1e-9;    // eps + (1 + alpha) delta
   for (const bool bond : {false, true}) {
     EXPECT_TRUE(elastic_contact<ADHESION>(c, 1.0, 0.02 - e, bond));
@@ -167,25 +167,25 @@ TEST(ElasticGap, OfEveryExtensionBalancesItsSprings)
   // A u = un + alpha eps + p exp(-k u) if the asperities hold, else u = un + p exp(-k u)
   NormalCoeffs c = make_coeffs(100.0, 300.0, 0.02);
   const double a = 2.0;
-  EXPECT_NEAR(elastic_gap<ADHESION>(c, a, 0.04, true), 0.025, 1e-16);
-  EXPECT_EQ(elastic_gap<ADHESION>(c, a, 0.04, false), 0.04);
+  EXPECT_NEAR(elastic_gap_a<ADHESION>(c, a, 0.04, true), 0.025, 1e-16);
+  EXPECT_EQ(elastic_gap_a<ADHESION>(c, a, 0.04, false), 0.04);
   for (const bool bond : {false, true})
-    EXPECT_EQ(elastic_gap<ADHESION>(c, a, -0.1, bond), 1e-8) << "crushed";
+    EXPECT_EQ(elastic_gap_a<ADHESION>(c, a, -0.1, bond), 1e-8) << "crushed";
   c.repulsion = {0.5, 25.0};
   const double p = 0.5 / 200.0, k = 50.0;
   for (const double un : {0.01, 0.0195, 0.04}) {
-    const double free = elastic_gap<ADHESION | REPULSION>(c, a, un, false);
-    const double held = elastic_gap<ADHESION | REPULSION>(c, a, un, true);
+    const double free = elastic_gap_a<ADHESION | REPULSION>(c, a, un, false);
+    const double held = elastic_gap_a<ADHESION | REPULSION>(c, a, un, true);
     EXPECT_NEAR(free, un + p * std::exp(-k * free), 1e-15);
     EXPECT_NEAR(4.0 * held, un + 0.06 + p * std::exp(-k * held), 1e-15);
-    EXPECT_EQ(elastic_gap<REPULSION>(c, a, un, false), un < 0.0195 ? held : free) << un;
+    EXPECT_EQ(elastic_gap_a<REPULSION>(c, a, un, false), un < 0.0195 ? held : free) << un;
   }
 }
 
 TEST(Adhesion, TheBondDecidesNotTheGap)
 {
   NormalCoeffs c = make_coeffs(50.0, 100.0, 0.02);
-  c.gap.release = 0.03;
+  c.gap.release_a = 0.03;
   c.gap.ln_release = std::log(0.03);
   const Film shifted = make_film(2.0, 0.5, Range::SHIFTED, 0.6);
   const double u = 0.025, h = 0.7 * 50.0 / (PI_ * 9.0), half = 0.5 * h / (1.0 - u / 0.5);

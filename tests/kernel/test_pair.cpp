@@ -14,7 +14,7 @@ namespace {
 PairCoeffs make_coeffs(double g, double k, double eps, double kt, double mu)
 {
   PairCoeffs c{{g, k, {k / g, eps, eps > 0.0 ? std::log(eps) : -HUGE_VAL, false}}, kt, mu};
-  c.normal.gap.release = eps;
+  c.normal.gap.release_a = eps;
   c.normal.gap.ln_release = c.normal.gap.ln_eps;
   return c;
 }
@@ -22,8 +22,8 @@ PairCoeffs make_coeffs(double g, double k, double eps, double kt, double mu)
 // with what the extensions need, where a mask has them
 PairCoeffs extended(PairCoeffs c, double delta, double F0, double per_length, double critical)
 {
-  c.normal.gap.release = c.normal.gap.eps + delta;
-  if (delta > 0.0) c.normal.gap.ln_release = std::log(c.normal.gap.release);
+  c.normal.gap.release_a = c.normal.gap.eps_a + delta;
+  if (delta > 0.0) c.normal.gap.ln_release = std::log(c.normal.gap.release_a);
   c.normal.repulsion = {F0, per_length};
   c.threshold = make_threshold(FrictionLaw::RAMP, critical);
   return c;

@@ -16,7 +16,7 @@ static const Film VISCOUS = make_film(2.0, 1.0, Range::SHIFTED, 0.6);
 PairCoeffs make_coeffs()
 {
   PairCoeffs c{{1000.0, 800.0, {0.8, 0.03, std::log(0.03), false}}, 700.0, 0.5};
-  c.normal.gap.release = 0.04;
+  c.normal.gap.release_a = 0.04;
   c.normal.gap.ln_release = std::log(0.04);
   c.normal.repulsion = {2.0, 20.0};
   c.threshold = make_threshold(FrictionLaw::SHIFT, 3.0);

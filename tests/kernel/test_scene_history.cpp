@@ -45,7 +45,7 @@ TEST(SceneHistory, SaysWhichSlotsAreMissing)
 static NormalCoeffs sticky()
 {
   NormalCoeffs c{3.0, 1.5, {0.5, 0.1, std::log(0.1), false}};
-  c.gap.release = 0.15;
+  c.gap.release_a = 0.15;
   c.gap.ln_release = std::log(0.15);
   return c;
 }

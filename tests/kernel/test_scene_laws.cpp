@@ -16,12 +16,12 @@ Law two_types()
   Law law(Settings{}, 2);
   law.of(1, 1).g = law.of(1, 1).asperity = 300.0;
   law.of(1, 1).kt = 100.0;
-  law.of(1, 1).roughness = 0.02;
+  law.of(1, 1).roughness_a = 0.02;
   law.of(1, 1).law = FrictionLaw::COULOMB;
   law.of(1, 1).friction = 0.5;
   law.of(2, 2).g = law.of(2, 2).asperity = 600.0;
   law.of(2, 2).kt = 200.0;
-  law.of(2, 2).roughness = 0.01;
+  law.of(2, 2).roughness_a = 0.01;
   return law;
 }
 
@@ -74,7 +74,7 @@ TEST(SceneLaws, NumbersSwitchOnLawsOfTheSurfaces)
     EXPECT_EQ(c.law, FrictionLaw::STEP);
     EXPECT_EQ(c.friction, 0.3);
     EXPECT_EQ(c.critical, 2.0);
-    EXPECT_DOUBLE_EQ(c.adhesion, 12.0 / (law.of(i, i).asperity * 2.0));    // k delta a = F
+    EXPECT_DOUBLE_EQ(c.adhesion_a, 12.0 / (law.of(i, i).asperity * 2.0));    // k delta a = F
     EXPECT_EQ(c.repulsion, 5.0);
     EXPECT_EQ(c.screening, 0.1);
   }
@@ -124,7 +124,7 @@ TEST(SceneLaws, UnlikePairsFollowFromTheLikeOnes)
 {
   Law law = two_types();
   EXPECT_DOUBLE_EQ(scene::coeffs_between(law, 1, 2).g, 400.0);
-  EXPECT_DOUBLE_EQ(scene::coeffs_between(law, 2, 1).roughness, 0.015);
+  EXPECT_DOUBLE_EQ(scene::coeffs_between(law, 2, 1).roughness_a, 0.015);
   law.of(1, 2) = law.of(1, 1);
   EXPECT_EQ(scene::coeffs_between(law, 1, 2).g, 300.0);
 }
@@ -135,7 +135,7 @@ TEST(SceneLaws, ASceneHasTheSoftestTheSmoothestAndTheRoughest)
   law.of(2, 2).law = FrictionLaw::SHIFT;
   law.of(2, 2).friction = 0.2;
   law.of(2, 2).critical = 3.0;
-  law.of(2, 2).adhesion = 0.001;
+  law.of(2, 2).adhesion_a = 0.001;
   scene::Scene s;
   s.radius = 2.0;
   scene::describe_law(law, s);
@@ -174,7 +174,7 @@ TEST(SceneLaws, StifferMeansAllSprings)
   EXPECT_EQ(c.g, 1200.0);
   EXPECT_EQ(c.kt, 400.0);
   EXPECT_EQ(c.asperity, 1200.0);
-  EXPECT_EQ(c.roughness, 0.02);
+  EXPECT_EQ(c.roughness_a, 0.02);
 }
 
 TEST(SceneLaws, ProposedNumbersHaveFourDigits)
