@@ -189,6 +189,7 @@ SceneInstance::SceneInstance(LAMMPS *from, const Parts &parts, const Lubcontact_
 
     set_up();
     copy_box();
+    copy_neighbor_style();
     copy_atoms();
     adopt_law(law);
     copy_fixes(parts, drag);
@@ -237,9 +238,8 @@ void SceneInstance::set_up() const
   one(fmt::format("atom_modify map {}",
                   original->atom->map_style == Atom::MAP_HASH ? "hash" : "array"));
   one("comm_modify vel yes");
-  if (comm->cutghostuser > 0.0) one(fmt::format("comm_modify cutoff {}", comm->cutghostuser));
-  static constexpr const char *STYLE[] = {"nsq", "bin", "multi/old", "multi"};
-  one(fmt::format("neighbor {} {}", neighbor->skin, STYLE[neighbor->style]));
+  if (comm->mode == Comm::SINGLE && comm->cutghostuser > 0.0)
+    one(fmt::format("comm_modify cutoff {}", comm->cutghostuser));
   one(fmt::format("neigh_modify every {} delay {} check {} page {} one {}", neighbor->every,
                   neighbor->delay, neighbor->dist_check ? "yes" : "no", neighbor->pgsize,
                   neighbor->oneatom));
@@ -278,6 +278,39 @@ void SceneInstance::copy_box() const
   to->set_global_box();
   lmp->comm->set_proc_grid();
   to->set_local_box();
+}
+
+/* ----------------------------------------------------------------------
+   how they are made; of style multi also which types or sizes share one, and how far its ghosts reach.
+   Style multi counts the types of the box
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_neighbor_style() const
+{
+  const Neighbor *neighbor = original->neighbor;
+  const Comm *comm = original->comm;
+  one(fmt::format("neighbor {} {}", neighbor->skin,
+                  neighbor->style == Neighbor::MULTI     ? "multi"
+                      : neighbor->style == Neighbor::BIN ? "bin"
+                                                         : "nsq"));
+  if (neighbor->style == Neighbor::MULTI && neighbor->custom_collection_flag) {
+    const bool by_size = neighbor->interval_collection_flag;
+    std::string words;
+    for (int m = 0; m < neighbor->ncollections; m++) {
+      std::string types;
+      for (int i = 1; i <= original->atom->ntypes && !by_size; i++)
+        if (neighbor->type2collection[i] == m)
+          types += fmt::format("{}{}", types.empty() ? "" : ",", i);
+      words += by_size ? fmt::format(" {}", neighbor->collection2cut[m]) : " " + types;
+    }
+    one(fmt::format("neigh_modify collection/{} {}{}", by_size ? "interval" : "type",
+                    neighbor->ncollections, words));
+  }
+  if (comm->mode != Comm::MULTI) return;
+  one("comm_modify mode multi");
+  for (int m = 0; comm->cutusermulti && m < comm->ncollections_cutoff; m++)
+    if (comm->cutusermulti[m] > 0.0)
+      one(fmt::format("comm_modify cutoff/multi {} {}", m + 1, comm->cutusermulti[m]));
 }
 
 /* ----------------------------------------------------------------------

@@ -62,6 +62,7 @@ class SceneInstance {
   static void check_system(LAMMPS *);
   void set_up() const;
   void copy_box() const;
+  void copy_neighbor_style() const;
   void copy_atoms() const;
   void adopt_law(const Lubcontact_NS::Law &) const;
   void copy_fixes(const Parts &, bool drag) const;
