@@ -44,22 +44,27 @@ enum class Mixing {
 
 struct Column {
   double TypeCoeffs::*value;
-  const char *name;    // for fix adapt, and in pair_coeff
+  const char *name;    // for fix adapt, and the keyword of pair_coeff
   const char *what;    // in messages
-  bool zero;           // may be 0
+  const char
+      *keyword;    // how the values behind the keyword are written, those of the columns that
+                   // follow included; null: none
+  bool zero;       // may be 0
   Mixing mixing;
+  unsigned effects;    // whose law reads it as PairCoeffs::column; 0: it is there in another form
 };
 
 inline constexpr Column COLUMNS[] = {
-    {&TypeCoeffs::g, "g", "stiffness g", false, Mixing::SERIES},
-    {&TypeCoeffs::kt, "kt", "stiffness kt", false, Mixing::SERIES},
-    {&TypeCoeffs::asperity, "asperity", "asperity stiffness", false, Mixing::SERIES},
-    {&TypeCoeffs::roughness_a, "roughness", "roughness", true, Mixing::MEAN},
-    {&TypeCoeffs::friction, "friction", "coefficient of friction", true, Mixing::GEOMETRIC},
-    {&TypeCoeffs::critical, "critical", "critical load", true, Mixing::GEOMETRIC},
-    {&TypeCoeffs::adhesion_a, "adhesion", "adhesion", true, Mixing::GEOMETRIC},
-    {&TypeCoeffs::repulsion, "repulsion", "repulsion", true, Mixing::GEOMETRIC},
-    {&TypeCoeffs::screening, "screening", "screening length", true, Mixing::WITH_LAST}};
+    {&TypeCoeffs::g, "g", "stiffness g", nullptr, false, Mixing::SERIES, 0},
+    {&TypeCoeffs::kt, "kt", "stiffness kt", nullptr, false, Mixing::SERIES, 0},
+    {&TypeCoeffs::asperity, "asperity", "asperity stiffness", "k", false, Mixing::SERIES, 0},
+    {&TypeCoeffs::roughness_a, "roughness", "roughness", "eps", true, Mixing::MEAN, 0},
+    {&TypeCoeffs::friction, "friction", "coefficient of friction", nullptr, true, Mixing::GEOMETRIC,
+     0},
+    {&TypeCoeffs::critical, "critical", "critical load", nullptr, true, Mixing::GEOMETRIC, 0},
+    {&TypeCoeffs::adhesion_a, "adhesion", "adhesion", "delta", true, Mixing::GEOMETRIC, 0},
+    {&TypeCoeffs::repulsion, "repulsion", "repulsion", "F0 lambda", true, Mixing::GEOMETRIC, 0},
+    {&TypeCoeffs::screening, "screening", "screening length", nullptr, true, Mixing::WITH_LAST, 0}};
 inline constexpr std::size_t NUM_COLUMNS = sizeof(COLUMNS) / sizeof(Column);
 
 constexpr std::size_t column_of(double TypeCoeffs::*value)
@@ -67,6 +72,29 @@ constexpr std::size_t column_of(double TypeCoeffs::*value)
   for (std::size_t m = 0; m < NUM_COLUMNS; m++)
     if (COLUMNS[m].value == value) return m;
   return NUM_COLUMNS;
+}
+
+// Place of a column among those that laws read as they are.
+constexpr std::size_t law_column(std::size_t column)
+{
+  std::size_t n = 0;
+  for (std::size_t m = 0; m < column; m++)
+    if (COLUMNS[m].effects) n++;
+  return n;
+}
+inline constexpr std::size_t NUM_LAW_COLUMNS = law_column(NUM_COLUMNS);
+
+constexpr std::size_t law_column(double TypeCoeffs::*value)
+{
+  return law_column(column_of(value));
+}
+
+// Effects that read place n.
+constexpr unsigned effects_of_law_column(std::size_t n)
+{
+  std::size_t m = 0;
+  while (!COLUMNS[m].effects || law_column(m) != n) m++;
+  return COLUMNS[m].effects;
 }
 
 // A value that a user may give.

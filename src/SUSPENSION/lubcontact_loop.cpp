@@ -15,24 +15,22 @@
 
 using namespace LAMMPS_NS;
 
-using Lubcontact_NS::ADHESION, Lubcontact_NS::REPULSION;
-
 // compiled elsewhere
-extern template void LAMMPS_NS::find_extended<0>(LubcontactInstance &);
-extern template void LAMMPS_NS::find_extended<ADHESION>(LubcontactInstance &);
-extern template void LAMMPS_NS::find_extended<REPULSION>(LubcontactInstance &);
-extern template void LAMMPS_NS::find_extended<ADHESION | REPULSION>(LubcontactInstance &);
+static_assert(Lubcontact_NS::NUM_SHARES == 4, "one file for each share");
+extern template void LAMMPS_NS::find_in_share<0>(LubcontactInstance &);
+extern template void LAMMPS_NS::find_in_share<1>(LubcontactInstance &);
+extern template void LAMMPS_NS::find_in_share<2>(LubcontactInstance &);
+extern template void LAMMPS_NS::find_in_share<3>(LubcontactInstance &);
 
 /* ---------------------------------------------------------------------- */
 
 LubcontactInstance LAMMPS_NS::find_instance(unsigned effects)
 {
   LubcontactInstance found{effects, Lubcontact_NS::covering(effects), {}, nullptr, nullptr};
-  const unsigned extensions = effects & (ADHESION | REPULSION);
-  if (extensions == 0) find_extended<0>(found);
-  if (extensions == ADHESION) find_extended<ADHESION>(found);
-  if (extensions == REPULSION) find_extended<REPULSION>(found);
-  if (extensions == (ADHESION | REPULSION)) find_extended<ADHESION | REPULSION>(found);
+  find_in_share<0>(found);
+  find_in_share<1>(found);
+  find_in_share<2>(found);
+  find_in_share<3>(found);
   return found;
 }
 

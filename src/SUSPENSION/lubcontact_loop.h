@@ -50,8 +50,8 @@ struct LubcontactInstance {
 
 LubcontactInstance find_instance(unsigned effects);
 
-// Those with the extensions X of the normal mode; four files share the work of compiling them.
-template <unsigned X> void find_extended(LubcontactInstance &);
+// If it is in this share: files share the work of compiling them.
+template <unsigned SHARE> void find_in_share(LubcontactInstance &);
 
 }    // namespace LAMMPS_NS
 

@@ -181,6 +181,9 @@ template <class E> void LubcontactLoop<E>::fill()
       b.repulsion[l] = c.normal.repulsion.force;
       b.per_screening[l] = c.normal.repulsion.per_length;
     }
+    Lubcontact_NS::copy_columns<E>([&](std::size_t n) {
+      b.column[n][l] = c.column[n];
+    });
     b.g[l] = c.normal.g;
     b.asperity[l] = c.normal.asperity;
     b.alpha[l] = c.normal.gap.alpha;
@@ -315,9 +318,9 @@ Load single_load(const PairCoeffs &c, const Lubcontact_NS::Film &film, const Pai
   return load;
 }
 
-template <unsigned X> void find_extended(LubcontactInstance &found)
+template <unsigned SHARE> void find_in_share(LubcontactInstance &found)
 {
-  Lubcontact_NS::with_extended_effects<X>(found.covering, [&found](auto effects) {
+  Lubcontact_NS::with_share_of_effects<SHARE>(found.covering, [&found](auto effects) {
     using E = decltype(effects);
     found.history = {E::HISTORY_SIZE, E::LAYOUT, &Lubcontact_NS::exchange_history<E>};
     found.loop = &run_loop<E>;

@@ -99,18 +99,6 @@ int LAMMPS_NS::place_of(Input *input, const char *word)
 
 namespace {
 
-// A keyword has the values of its column and of those that follow up to the next keyword.
-struct Keyword {
-  const char *name, *usage;
-  double TypeCoeffs::*first;
-  int values;
-};
-
-constexpr Keyword KEYWORDS[] = {{"roughness", "eps", &TypeCoeffs::roughness_a, 1},
-                                {"asperity", "k", &TypeCoeffs::asperity, 1},
-                                {"adhesion", "delta", &TypeCoeffs::adhesion_a, 1},
-                                {"repulsion", "F0 lambda", &TypeCoeffs::repulsion, 2}};
-
 class CoeffParser : protected Pointers {
  public:
   CoeffParser(LAMMPS *lmp, int narg, char **arg, const std::string &origin) :
@@ -127,7 +115,7 @@ class CoeffParser : protected Pointers {
 
   double number(int iarg, const Column &, bool zero) const;
   int parse_friction(int iarg, TypeCoeffs &) const;
-  int parse_keyword(int iarg, const Keyword &, TypeCoeffs &) const;
+  int parse_keyword(int iarg, std::size_t column, TypeCoeffs &) const;
 };
 
 double CoeffParser::number(int iarg, const Column &column, bool zero) const
@@ -176,17 +164,18 @@ int CoeffParser::parse_friction(int iarg, TypeCoeffs &c) const
 
 /* ---------------------------------------------------------------------- */
 
-int CoeffParser::parse_keyword(int iarg, const Keyword &keyword, TypeCoeffs &c) const
+int CoeffParser::parse_keyword(int iarg, std::size_t first, TypeCoeffs &c) const
 {
+  const std::string values = COLUMNS[first].keyword;
   Suspension_NS::require_words(FLERR, error, "pair_coeff", narg - iarg,
-                               std::string(keyword.name) + " " + keyword.usage);
-  const std::size_t first = Lubcontact_NS::column_of(keyword.first);
-  for (int n = 0; n < keyword.values; n++) {
+                               std::string(COLUMNS[first].name) + " " + values);
+  const int number_of_values = static_cast<int>(utils::count_words(values));
+  for (int n = 0; n < number_of_values; n++) {
     const Column &column = COLUMNS[first + n];
     const bool zero = column.zero && column.mixing != Lubcontact_NS::Mixing::WITH_LAST;
     c.*column.value = number(iarg + 1 + n, column, zero);
   }
-  return 1 + keyword.values;
+  return 1 + number_of_values;
 }
 
 TypeCoeffs CoeffParser::parse(double reach) const
@@ -202,18 +191,17 @@ TypeCoeffs CoeffParser::parse(double reach) const
       iarg += parse_friction(iarg, c);
       continue;
     }
-    const Keyword *found = nullptr;
-    for (const Keyword &keyword : KEYWORDS)
-      if (key == keyword.name) found = &keyword;
-    if (!found)
+    std::size_t found = 0;
+    while (found < NUM_COLUMNS && !(COLUMNS[found].keyword && key == COLUMNS[found].name)) found++;
+    if (found == NUM_COLUMNS)
       error->all(FLERR, place_of(input, arg[iarg]), "Unknown pair_coeff lubcontact keyword: {}{}",
                  key, origin);
-    const int words = parse_keyword(iarg, *found, c);
-    if (found->first == &TypeCoeffs::roughness_a && c.roughness_a >= reach)
+    const int words = parse_keyword(iarg, found, c);
+    if (COLUMNS[found].value == &TypeCoeffs::roughness_a && c.roughness_a >= reach)
       error->all(FLERR, place_of(input, arg[iarg + 1]),
                  "Pair style lubcontact roughness must be below the range {}, but is {}{}", reach,
                  c.roughness_a, origin);
-    if (found->first == &TypeCoeffs::adhesion_a) adhesion_word = arg[iarg + 1];
+    if (COLUMNS[found].value == &TypeCoeffs::adhesion_a) adhesion_word = arg[iarg + 1];
     iarg += words;
   }
   if (c.adhesion_a > 0.0 && c.roughness_a == 0.0)
@@ -333,8 +321,13 @@ std::string LAMMPS_NS::surface_words(const TypeCoeffs &c)
                                   FRICTION_NAME[static_cast<int>(c.law)]);
   if (c.law != FrictionLaw::NONE) words += fmt::format(" {}", c.friction);
   if (c.law > FrictionLaw::COULOMB) words += fmt::format(" {}", c.critical);
-  if (c.adhesion_a > 0.0) words += fmt::format(" adhesion {}", c.adhesion_a);
-  if (c.screening > 0.0) words += fmt::format(" repulsion {} {}", c.repulsion, c.screening);
+  for (std::size_t m = Lubcontact_NS::column_of(&TypeCoeffs::adhesion_a); m < NUM_COLUMNS; m++) {
+    const bool follows = m + 1 < NUM_COLUMNS && !COLUMNS[m + 1].keyword;
+    const double decides = c.*COLUMNS[follows ? m + 1 : m].value;    // repulsion 0 has a length
+    if (!COLUMNS[m].keyword || decides == 0.0) continue;
+    words += fmt::format(" {} {}", COLUMNS[m].name, c.*COLUMNS[m].value);
+    if (follows) words += fmt::format(" {}", decides);
+  }
   return words;
 }
 

@@ -7,11 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop for pairs with adhesion and repulsion.
+// Instances of the loop, share 2: repulsion.
 
 #include "lubcontact_loop_instances.h"
 
-using namespace LAMMPS_NS;
-
-template void
-LAMMPS_NS::find_extended<Lubcontact_NS::ADHESION | Lubcontact_NS::REPULSION>(LubcontactInstance &);
+template void LAMMPS_NS::find_in_share<2>(LubcontactInstance &);

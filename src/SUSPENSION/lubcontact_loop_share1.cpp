@@ -7,10 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop for pairs with repulsion.
+// Instances of the loop, share 1: adhesion.
 
 #include "lubcontact_loop_instances.h"
 
-using namespace LAMMPS_NS;
-
-template void LAMMPS_NS::find_extended<Lubcontact_NS::REPULSION>(LubcontactInstance &);
+template void LAMMPS_NS::find_in_share<1>(LubcontactInstance &);

@@ -7,10 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop for pairs with adhesion.
+// Instances of the loop, share 0: no extension of the normal mode.
 
 #include "lubcontact_loop_instances.h"
 
-using namespace LAMMPS_NS;
-
-template void LAMMPS_NS::find_extended<Lubcontact_NS::ADHESION>(LubcontactInstance &);
+template void LAMMPS_NS::find_in_share<0>(LubcontactInstance &);
