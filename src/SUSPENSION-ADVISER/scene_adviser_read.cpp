@@ -13,7 +13,6 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_deform_rheometer.h"
 #include "fix_rheometer_plates.h"
 #include "force.h"
@@ -39,36 +38,28 @@ static constexpr double SHORTEST = 0.1;    // strain of a mean: less is a snapsh
 
 void SceneAdviser::read_particles()
 {
-  // number, radii, their squares and cubes, volume, area or volume, mass
-  double mine[7] = {}, sum[7];
-  double mine_max[2] = {-HUGE_VAL, -HUGE_VAL}, max[2];
+  double mine[3] = {}, sum[3];    // squares and cubes of the radii; volume, or area in 2d
   for (int i = 0; i < atom->nlocal; i++) {
     const double r = atom->radius[i];
     if (r == 0.0) continue;
-    const double volume = 4.0 / 3.0 * MY_PI * r * r * r;    // discs have the mass of spheres
-    const double values[7] = {1.0,           r,      r * r,
-                              r * r * r,     volume, Suspension_NS::particle_volume(domain, r),
-                              atom->rmass[i]};
-    for (int n = 0; n < 7; n++) mine[n] += values[n];
-    mine_max[0] = MAX(mine_max[0], r);
-    mine_max[1] = MAX(mine_max[1], -r);
+    const double values[3] = {r * r, r * r * r, Suspension_NS::particle_volume(domain, r)};
+    for (int n = 0; n < 3; n++) mine[n] += values[n];
   }
-  MPI_Allreduce(mine, sum, 7, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(mine_max, max, 2, MPI_DOUBLE, MPI_MAX, world);
-  if (sum[0] == 0.0) error->all(FLERR, "Suspension_scene: no particle has a radius");
+  MPI_Allreduce(mine, sum, 3, MPI_DOUBLE, MPI_SUM, world);
 
-  scene.particles = sum[0];
+  const Suspension_NS::Particles all = Suspension_NS::measure_particles(lmp);
+  scene.particles = all.number;
   scene.dimension = domain->dimension;
-  scene.radius = sum[1] / sum[0];
-  scene.radius_max = max[0];
-  scene.radius_min = -max[1];
-  const double a = scene.radius, square = MAX(sum[2] / sum[0] - a * a, 0.0);
+  scene.radius = all.mean;
+  scene.radius_max = all.largest;
+  scene.radius_min = all.smallest;
+  const double a = scene.radius, square = MAX(sum[0] / all.number - a * a, 0.0);
   scene.spread = sqrt(square) / a;
   if (scene.spread > 1e-6)
-    scene.skew = (sum[3] / sum[0] - 3.0 * a * square - a * a * a) / (square * sqrt(square));
-  scene.density = sum[6] / sum[4] * force->mvv2e;
-  total_mass = sum[6];
-  scene.phi = sum[5] / Suspension_NS::cell_volume(domain);
+    scene.skew = (sum[1] / all.number - 3.0 * a * square - a * a * a) / (square * sqrt(square));
+  scene.density = all.density * force->mvv2e;
+  total_mass = all.mass;
+  scene.phi = sum[2] / Suspension_NS::cell_volume(domain);
   scene.dt = update->dt;
 }
 

@@ -28,11 +28,13 @@
 #include "update.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 using Scene_NS::UNKNOWN;
+
 static constexpr int BLOCKS = 10;    // of a run; the second half counts
 static constexpr int COUNTED = 5;
 static constexpr int PATH = 8;    // sum of |strain| in the output of fix deform/rheometer
@@ -54,7 +56,7 @@ static constexpr Cure CURES[] = {
 struct SceneMeasurement::Row {
   unsigned bit = 0;
   const char *name = "drag";
-  int stress = -1, power = Lubcontact_NS::NUM_ORIGINS;
+  int stress = -1, power = Lubcontact_NS::NUM_ORIGINS;    // behind those of the pair law
   const char *cure = "add fix drag/background to the script";
 
   Row() = default;
@@ -125,9 +127,9 @@ Mean change(const double *without, const double *with)
 }
 
 // are both changes below the limit, with (1) or without (-1) twice their errors?
-bool below(const Mean *by, double sign, double limit)
+bool below(const std::array<Mean, 2> &by, double sign, double limit)
 {
-  return std::all_of(by, by + 2, [&](const Mean &x) {
+  return std::all_of(by.begin(), by.end(), [&](const Mean &x) {
     return fabs(x.value) + sign * 2.0 * x.error < limit;
   });
 }
@@ -306,6 +308,29 @@ void SceneMeasurement::check_laws(const Options &options, const Lubcontact_NS::L
 }
 
 /* ----------------------------------------------------------------------
+   what is other in a copy than with everything on, of what the flow does not hold
+------------------------------------------------------------------------- */
+
+struct SceneMeasurement::Comparison {
+  const Parts &parts;
+  const Measured &all;
+
+  std::array<Mean, 2> changes(const Measured &one) const
+  {
+    return {parts.holds_rate ? change(one.stress, all.stress)
+                             : change(one.viscosity, all.viscosity),
+            parts.holds_pressure ? change(one.phi, all.phi) : change(one.pressure, all.pressure)};
+  }
+  std::string row(const char *name, const Measured &one, const std::string &stress = "-",
+                  const std::string &power = "-") const
+  {
+    const auto by = changes(one);
+    return fmt::format(COLUMNS, name, stress, power, percent(by[0]), percent(by[1]),
+                       percent(1.0 - one.seconds / all.seconds));
+  }
+};
+
+/* ----------------------------------------------------------------------
    one line of the table per effect, then the advice
 ------------------------------------------------------------------------- */
 
@@ -319,23 +344,8 @@ std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Option
   const Measured all = run_copy(parts, nsteps, everything);
   std::string text = head_of(parts, all, nsteps, as_deck);
 
-  struct Changes {
-    Mean by[2];
-  };
-  auto changes = [&parts, &all](const Measured &one) {    // of what the flow does not hold
-    const Mean resistance = parts.holds_rate ? change(one.stress, all.stress)
-                                             : change(one.viscosity, all.viscosity);
-    return Changes{resistance,
-                   parts.holds_pressure ? change(one.phi, all.phi)
-                                        : change(one.pressure, all.pressure)};
-  };
-  auto row = [&](const char *name, const Measured &one, const std::string &stress,
-                 const std::string &power) {
-    const Changes c = changes(one);
-    text += fmt::format(COLUMNS, name, stress, power, percent(c.by[0]), percent(c.by[1]),
-                        percent(1.0 - one.seconds / all.seconds));
-  };
-  if (!as_deck) row("as the deck is", run_copy(parts, nsteps, deck), "-", "-");
+  const Comparison compared{parts, all};
+  if (!as_deck) text += compared.row("as the deck is", run_copy(parts, nsteps, deck));
 
   std::vector<Row> rows(std::begin(Lubcontact_NS::EFFECTS), std::end(Lubcontact_NS::EFFECTS));
   rows.emplace_back();
@@ -355,15 +365,15 @@ std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Option
       continue;
     }
     const Measured one = run_copy(parts, nsteps, effect.removed_from(everything));
-    row(effect.name, one, of_stress, of_power);
-    const Changes c = changes(one);
-    if (below(c.by, 1.0, options.limit)) {
+    text += compared.row(effect.name, one, of_stress, of_power);
+    const auto by = compared.changes(one);
+    if (below(by, 1.0, options.limit)) {
       less = effect.removed_from(less);
       idle++;
-    } else if (below(c.by, -1.0, options.limit))
+    } else if (below(by, -1.0, options.limit))
       undecided += std::string(" ") + effect.name;
   }
-  if (idle > 1) row("all of these", run_copy(parts, nsteps, less), "-", "-");
+  if (idle > 1) text += compared.row("all of these", run_copy(parts, nsteps, less));
   text += missing +
       fmt::format("Deck lines to use: changes below {} left out\n", percent(options.limit)) +
       deck_lines(parts, less);

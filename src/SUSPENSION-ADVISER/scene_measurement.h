@@ -33,6 +33,7 @@ class SceneMeasurement : protected Pointers {
   struct Measured;
   struct Options;
   struct Row;
+  struct Comparison;
 
   Options parse(int, char **) const;
   void check_laws(const Options &, const Lubcontact_NS::Law &) const;

@@ -30,6 +30,8 @@ void SuspensionScene::command(int narg, char **arg)
   if (!domain->box_exist || atom->natoms == 0)
     error->all(FLERR, "Suspension_scene needs particles: use it after they are created");
   Suspension_NS::require_spheres(lmp, "Suspension_scene");
+  if (Suspension_NS::measure_particles(lmp).number == 0.0)
+    error->all(FLERR, "Suspension_scene: no particle has a radius");
   const bool measure = narg > 0 && strcmp(arg[0], "measure") == 0;
   const std::string text = measure ? SceneMeasurement(lmp).advice(narg, arg)
                                    : SceneAdviser(lmp).advice(narg, arg);

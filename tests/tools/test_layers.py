@@ -15,10 +15,11 @@ LAYERS = (
                    "rheometer_flow.h rheometer_list.h rheometer_mean.h rheometer_plate.h rheometer_servo.h"),
     ("physics of the adviser", 1, "scene_numbers.h scene_verdict.h scene_bounds.h scene_settling.h scene_accuracy.h "
                                   "scene_history.h scene_laws.h scene_words.h"),
-    ("host and input", 2, "suspension_host.* suspension_input.* uncounted_forces.* exclusive_particles.* spin_inertia.* particle_inertia.* "
-                          "list_keeper.* fix_neigh_history_*"),
+    ("host and input", 2, "suspension_host.* suspension_input.* uncounted_forces.* exclusive_particles.* spin_inertia.* "
+                          "particle_inertia.* list_keeper.* fix_neigh_history_*"),
     ("pair style", 4, "pair_lubcontact*"),
-    ("fixes", 5, "fix_deform_rheometer* fix_rheometer_plates* background_* fix_drag_background.* fix_overdamped_sphere.*"),
+    ("fixes", 5, "fix_deform_rheometer* fix_rheometer_plates* background_* fix_background_fluid.* fix_drag_background.* "
+                 "fix_overdamped_sphere.*"),
     ("computes and commands", 6, "compute_* suspension_history.*"),
     ("adviser", 7, "scene_* suspension_scene*"),
     ("plugin", 8, "suspensionplugin.cpp"),
