@@ -45,7 +45,7 @@ variable fx equal fx[1]
 run 0 post no
 print "mixed ${fx}"
 variable now equal 7
-fix adapt all adapt 1 pair lubcontact dummy 1 2 v_now
+fix adapt all adapt 1 pair lubcontact dummy * * v_now
 run 0 post no
 print "adapted ${fx}"
 unfix adapt
