@@ -28,7 +28,7 @@ namespace LAMMPS_NS::Scene_NS {
 
 // change of the viscosity = coefficient x^exponent, measured for x in [low, high]; below low the
 // law interpolates to 0, above high nothing is promised
-struct Law {
+struct ErrorLaw {
   double coefficient, error, exponent, low, high;
   double at(double x) const { return coefficient * std::pow(x, exponent); }
   double doubt(double x) const { return error * std::pow(x, exponent); }
@@ -38,7 +38,7 @@ enum Cause { TIME_STEP, SOFTNESS, PARTICLE_INERTIA, FEW_PARTICLES, NO_TWIST, NUM
 inline constexpr const char *CAUSE_NAME[NUM_CAUSES] = {"time step", "stiffness", "particle inertia",
                                                        "few particles", "twisting film left out"};
 // printed by benchmarks/accuracy_cost/suspension_laws.py table
-inline constexpr Law LAW[NUM_CAUSES] = {
+inline constexpr ErrorLaw LAW[NUM_CAUSES] = {
     // clang-format off
     {-1.5, 0.72, 1.0, 1.7e-05, 0.001},    // of rate dt
     {2.2, 0.5, 1.0, 0.00046, 0.046},    // of P/(E eps)

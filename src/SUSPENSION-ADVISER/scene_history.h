@@ -17,7 +17,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS::Scene_NS {
@@ -25,27 +24,21 @@ namespace LAMMPS_NS::Scene_NS {
 // first slot of each part, in the order of lubcontact_effects.h, and the end
 using Slots = std::array<int, 7>;
 
-template <unsigned MASK> constexpr Slots slots_of()
+// of a loop that is compiled
+inline Slots slots_of(unsigned instance)
 {
-  using E = Lubcontact_NS::Effects<MASK>;
   static_assert(Lubcontact_NS::Effects<Lubcontact_NS::NUM_COMBINATIONS - 1>::HISTORY_SIZE == 11,
                 "a part of the history is missing here");
-  return {E::GAP_SLOT,   E::SURFACE_SLOT, E::SHEAR_SLOT,  E::ROLL_SLOT,
-          E::TWIST_SLOT, E::BOND_SLOT,    E::HISTORY_SIZE};
+  Slots slots{};
+  Lubcontact_NS::with_effects(instance, [&slots](auto effects) {
+    using E = decltype(effects);
+    slots = {E::GAP_SLOT,   E::SURFACE_SLOT, E::SHEAR_SLOT,  E::ROLL_SLOT,
+             E::TWIST_SLOT, E::BOND_SLOT,    E::HISTORY_SIZE};
+  });
+  return slots;
 }
 
-template <std::size_t... MASK> Slots slots_of(unsigned mask, std::index_sequence<MASK...>)
-{
-  static constexpr Slots all[] = {slots_of<MASK>()...};
-  return all[mask];
-}
-
-inline Slots slots_of(unsigned mask)
-{
-  return slots_of(mask, std::make_index_sequence<Lubcontact_NS::NUM_COMBINATIONS>());
-}
-
-// for each slot of a history with effects to: its slot with effects from, -1 if it has none
+// for each slot of a history of the loop `to`: its slot in that of the loop `from`, -1 if it has none
 inline std::vector<int> history_map(unsigned from, unsigned to)
 {
   const Slots source = slots_of(from), target = slots_of(to);
@@ -79,22 +72,20 @@ std::array<double, Whole::HISTORY_SIZE> new_slots(const Lubcontact_NS::NormalCoe
   return slots;
 }
 
-// History with effects `to` from `old` with effects `from`. a, un: effective radius and gap of the
+// History of the loop `to` from `old` of the loop `from`. a, un: effective radius and gap of the
 // undeformed surfaces, lengths.
 inline void adopt_history(unsigned from, unsigned to, const Lubcontact_NS::NormalCoeffs &c,
                           double a, double un, const double *old, double *next)
 {
-  using Lubcontact_NS::ADHESION, Lubcontact_NS::REPULSION;
   enum { GAP, SURFACE, BOND = 5 };
   const Slots source = slots_of(from);
   if (source[SURFACE + 1] > source[SURFACE]) un = old[source[SURFACE]];
   const double *gap = source[GAP + 1] > source[GAP] ? old + source[GAP] : nullptr;
   const double *bond = source[BOND + 1] > source[BOND] ? old + source[BOND] : nullptr;
-  const unsigned extensions = to & (ADHESION | REPULSION);
-  const auto fresh = extensions == 0 ? new_slots<0>(c, a, un, gap, bond)
-      : extensions == ADHESION       ? new_slots<ADHESION>(c, a, un, gap, bond)
-      : extensions == REPULSION      ? new_slots<REPULSION>(c, a, un, gap, bond)
-                                     : new_slots<ADHESION | REPULSION>(c, a, un, gap, bond);
+  std::array<double, Whole::HISTORY_SIZE> fresh{};
+  Lubcontact_NS::with_effects(to, [&](auto effects) {
+    fresh = new_slots<decltype(effects)::normal>(c, a, un, gap, bond);
+  });
   const std::vector<int> map = history_map(from, to), place = history_map(EVERYTHING, to);
   for (std::size_t m = 0; m < map.size(); m++)
     next[m] = map[m] >= 0 ? old[map[m]] : fresh[place[m]];

@@ -88,7 +88,7 @@ const BackgroundFluid *SceneInstance::background_of(const Fix *fix)
    with a fix that can be copied; false: it cannot
 ------------------------------------------------------------------------- */
 
-static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
+static bool copy_part(LAMMPS *lmp, Fix *fix, SceneInstance::Parts &parts)
 {
   std::string settings;
   auto *sphere = utils::strmatch(fix->style, "^nve/sphere") ? dynamic_cast<FixNVESphere *>(fix)
@@ -98,48 +98,48 @@ static bool copy_plan(LAMMPS *lmp, Fix *fix, SceneInstance::Plan &plan)
   const BackgroundFluid *fluid = SceneInstance::background_of(fix);
   if (fluid) {
     settings = fluid->settings_text();
-    plan.drags.push_back(fix);
-    if (utils::strmatch(fix->style, "^overdamped")) plan.overdamped = true;
+    parts.drags.push_back(fix);
+    if (utils::strmatch(fix->style, "^overdamped")) parts.overdamped = true;
   } else if (sphere) {
     if (Inertia::of_disc(sphere)) settings = "disc";
   } else if (rheometer) {
     settings = rheometer->settings_text();
-    plan.flow = fix;
+    parts.flow = fix;
     const auto imposed = rheometer->imposed();
     if (!imposed.steady_shear)
       lmp->error->all(FLERR,
                       "Suspension_scene measure compares the viscosity of steady shear, but fix {} "
                       "has: {}; {}",
                       fix->id, settings, SceneInstance::CURE);
-    plan.holds_rate = imposed.holds_rate;
-    plan.holds_pressure = imposed.holds_pressure;
+    parts.holds_rate = imposed.holds_rate;
+    parts.holds_pressure = imposed.holds_pressure;
   } else if (utils::strmatch(fix->style, "^deform$") && Deformation::only_tilts(deform)) {
-    plan.flow = fix;
-    plan.rate = SceneInstance::deform_rate(lmp);
-    if (plan.rate == 0.0)
+    parts.flow = fix;
+    parts.rate = SceneInstance::deform_rate(lmp);
+    if (parts.rate == 0.0)
       lmp->error->all(FLERR,
                       "Suspension_scene measure does not know the rate of fix {} before the first "
                       "run: add run 0",
                       fix->id);
-    settings = fmt::format("{} xy erate {} remap v", fix->nevery, plan.rate);
+    settings = fmt::format("{} xy erate {} remap v", fix->nevery, parts.rate);
   } else if (!utils::strmatch(fix->style, "^enforce2d$")) {
     return false;
   }
-  plan.fixes.push_back({fix, settings});
+  parts.fixes.push_back({fix, settings});
   return true;
 }
 
 /* ---------------------------------------------------------------------- */
 
-SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
+SceneInstance::Parts SceneInstance::parts_of(LAMMPS *lmp)
 {
   Error *error = lmp->error;
   if (!lmp->domain->box_exist || lmp->atom->natoms == 0)
     error->all(FLERR, "Suspension_scene needs particles: use it after they are created");
 
-  Plan plan;
-  plan.pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
-  if (!plan.pair)
+  Parts parts;
+  parts.pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
+  if (!parts.pair)
     error->all(FLERR,
                "Suspension_scene measure needs pair_style lubcontact alone, but the pair style is "
                "{}; {}",
@@ -149,7 +149,7 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
   const auto &fixes = lmp->modify->get_fix_list();
   for (std::size_t n = 0; n < fixes.size(); n++) {
     Fix *fix = fixes[n];
-    const bool copied = copy_plan(lmp, fix, plan);
+    const bool copied = copy_part(lmp, fix, parts);
     if (copied && lmp->group->dynamic[fix->igroup])
       error->all(FLERR, "Suspension_scene measure cannot copy the dynamic group {} of fix {}; {}",
                  lmp->group->names[fix->igroup], fix->id, CURE);
@@ -164,18 +164,20 @@ SceneInstance::Plan SceneInstance::plan(LAMMPS *lmp)
                  "but cannot copy fix {} of style {}: unfix it if it does not matter; {}",
                  fix->id, fix->style, CURE);
   }
-  if (!plan.flow)
+  if (!parts.flow)
     error->all(FLERR,
                "Suspension_scene measure needs a flow: fix deform/rheometer, or fix deform of xy "
                "with remap v; {}",
                CURE);
-  return plan;
+  return parts;
 }
 
 /* ---------------------------------------------------------------------- */
 
-SceneInstance::SceneInstance(LAMMPS *from, const Plan &plan, const Effects &effects) :
-    lmp(nullptr), history_kept(true), original(from)
+SceneInstance::SceneInstance(LAMMPS *from, const Parts &parts, const Lubcontact_NS::Law &law,
+                             bool drag) :
+    lmp(nullptr),
+    history_kept(true), original(from)
 {
   const char *words[] = {"lmp", "-log", "none", "-screen", "none", "-nocite"};
   lmp = new LAMMPS(6, const_cast<char **>(words), from->world);
@@ -187,11 +189,12 @@ SceneInstance::SceneInstance(LAMMPS *from, const Plan &plan, const Effects &effe
 
     set_up();
     copy_box();
+    copy_neighbor_style();
     copy_atoms();
-    copy_pair(plan, effects);
-    copy_fixes(plan, effects);
+    adopt_law(law);
+    copy_fixes(parts, drag);
     lmp->init();
-    copy_history(plan.pair);
+    copy_history(parts.pair, law);
     migrate();
   } catch (...) {
     KeepPlugins keep(original);
@@ -235,9 +238,8 @@ void SceneInstance::set_up() const
   one(fmt::format("atom_modify map {}",
                   original->atom->map_style == Atom::MAP_HASH ? "hash" : "array"));
   one("comm_modify vel yes");
-  if (comm->cutghostuser > 0.0) one(fmt::format("comm_modify cutoff {}", comm->cutghostuser));
-  static constexpr const char *STYLE[] = {"nsq", "bin", "multi/old", "multi"};
-  one(fmt::format("neighbor {} {}", neighbor->skin, STYLE[neighbor->style]));
+  if (comm->mode == Comm::SINGLE && comm->cutghostuser > 0.0)
+    one(fmt::format("comm_modify cutoff {}", comm->cutghostuser));
   one(fmt::format("neigh_modify every {} delay {} check {} page {} one {}", neighbor->every,
                   neighbor->delay, neighbor->dist_check ? "yes" : "no", neighbor->pgsize,
                   neighbor->oneatom));
@@ -276,6 +278,39 @@ void SceneInstance::copy_box() const
   to->set_global_box();
   lmp->comm->set_proc_grid();
   to->set_local_box();
+}
+
+/* ----------------------------------------------------------------------
+   how they are made; of style multi also which types or sizes share one, and how far its ghosts reach.
+   Style multi counts the types of the box
+------------------------------------------------------------------------- */
+
+void SceneInstance::copy_neighbor_style() const
+{
+  const Neighbor *neighbor = original->neighbor;
+  const Comm *comm = original->comm;
+  one(fmt::format("neighbor {} {}", neighbor->skin,
+                  neighbor->style == Neighbor::MULTI     ? "multi"
+                      : neighbor->style == Neighbor::BIN ? "bin"
+                                                         : "nsq"));
+  if (neighbor->style == Neighbor::MULTI && neighbor->custom_collection_flag) {
+    const bool by_size = neighbor->interval_collection_flag;
+    std::string words;
+    for (int m = 0; m < neighbor->ncollections; m++) {
+      std::string types;
+      for (int i = 1; i <= original->atom->ntypes && !by_size; i++)
+        if (neighbor->type2collection[i] == m)
+          types += fmt::format("{}{}", types.empty() ? "" : ",", i);
+      words += by_size ? fmt::format(" {}", neighbor->collection2cut[m]) : " " + types;
+    }
+    one(fmt::format("neigh_modify collection/{} {}{}", by_size ? "interval" : "type",
+                    neighbor->ncollections, words));
+  }
+  if (comm->mode != Comm::MULTI) return;
+  one("comm_modify mode multi");
+  for (int m = 0; comm->cutusermulti && m < comm->ncollections_cutoff; m++)
+    if (comm->cutusermulti[m] > 0.0)
+      one(fmt::format("comm_modify cutoff/multi {} {}", m + 1, comm->cutusermulti[m]));
 }
 
 /* ----------------------------------------------------------------------

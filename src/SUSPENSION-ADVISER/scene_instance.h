@@ -10,22 +10,26 @@
 #ifndef LMP_SCENE_INSTANCE_H
 #define LMP_SCENE_INSTANCE_H
 
-#include "pair_lubcontact.h"
-
 #include <string>
 #include <vector>
+
+namespace LAMMPS_NS::Lubcontact_NS {
+struct Law;
+}
 
 namespace LAMMPS_NS {
 class BackgroundFluid;
 class Fix;
 class LAMMPS;
+class PairLubcontact;
 
-// A second LAMMPS on the ranks of the first, with a copy of its sheared suspension: what happens in
-// there leaves the first one alone, which is only read. Silent; its errors are thrown.
+// A second LAMMPS on the ranks of the first, with a copy of its sheared suspension under a pair law
+// that may be another: what happens in there leaves the first one alone, which is only read. Silent;
+// its errors are thrown.
 class SceneInstance {
  public:
   // what can be copied; errors name what cannot
-  struct Plan {
+  struct Parts {
     PairLubcontact *pair = nullptr;
     Fix *flow = nullptr;    // deform/rheometer, or deform of the tilt xy
     double rate = 0.0;      // of deform
@@ -38,21 +42,13 @@ class SceneInstance {
     std::vector<Fix *> drags;    // among them
     bool overdamped = false;     // and the drag moves the particles
   };
-  // what acts in the copy
-  struct Effects {
-    bool everything = true;              // or as the deck is
-    PairLubcontact::Laws laws{};         // that the deck need not have
-    double radius = 1.0;                 // of their pull-off force
-    std::vector<std::string> without;    // PairLubcontact::EFFECTS and DRAG
-  };
-  static constexpr const char *DRAG = "drag";
   static constexpr const char *CURE = "the advice without the word measure works here, too; or "
                                       "compare two runs of your own, with the effect and without";
-  static Plan plan(LAMMPS *);
+  static Parts parts_of(LAMMPS *);
   static double deform_rate(LAMMPS *);
   static const BackgroundFluid *background_of(const Fix *);    // null: it has none
 
-  SceneInstance(LAMMPS *, const Plan &, const Effects &);
+  SceneInstance(LAMMPS *, const Parts &, const Lubcontact_NS::Law &, bool drag);
   ~SceneInstance();
   SceneInstance(const SceneInstance &) = delete;
   SceneInstance &operator=(const SceneInstance &) = delete;
@@ -66,11 +62,12 @@ class SceneInstance {
   static void check_system(LAMMPS *);
   void set_up() const;
   void copy_box() const;
+  void copy_neighbor_style() const;
   void copy_atoms() const;
-  void copy_pair(const Plan &, const Effects &) const;
-  void copy_fixes(const Plan &, const Effects &) const;
+  void adopt_law(const Lubcontact_NS::Law &) const;
+  void copy_fixes(const Parts &, bool drag) const;
   void copy_state(Fix *) const;
-  void copy_history(const PairLubcontact *);
+  void copy_history(const PairLubcontact *, const Lubcontact_NS::Law &);
   void migrate() const;
 };
 

@@ -64,6 +64,11 @@ static std::string not_copied(LAMMPS *lmp)
       {neighbor->nex_type || neighbor->nex_group || neighbor->nex_mol, "neigh_modify exclude"},
       {neighbor->includegroup != 0, "neigh_modify include"},
       {neighbor->build_once != 0, "neigh_modify once yes"},
+      {neighbor->style != Neighbor::NSQ && neighbor->style != Neighbor::BIN &&
+           neighbor->style != Neighbor::MULTI,
+       "neighbor multi/old"},
+      {lmp->comm->mode != Comm::SINGLE && lmp->comm->mode != Comm::MULTI,
+       "comm_modify mode multi/old"},
       {Ghosts::of_a_group(lmp->comm), "comm_modify group"},
   };
   std::string names;

@@ -20,11 +20,13 @@
 #include "force.h"
 #include "group.h"
 #include "irregular.h"
-#include "lubcontact_pair.h"
+#include "lubcontact_pairs.h"
+#include "lubcontact_type_coeffs.h"
 #include "modify.h"
+#include "pair_lubcontact.h"
 #include "scene_history.h"
+#include "scene_laws.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -85,38 +87,24 @@ std::unordered_map<tagint, Sphere> all_spheres(LAMMPS *lmp)
 }    // namespace
 
 /* ----------------------------------------------------------------------
-   by way of a restart file: whatever the pair style has is in there
+   the viscosity as a number, whatever it comes from
 ------------------------------------------------------------------------- */
 
-void SceneInstance::copy_pair(const Plan &plan, const Effects &effects) const
+void SceneInstance::adopt_law(const Lubcontact_NS::Law &law) const
 {
-  const std::string settings = plan.pair->settings_text({});
-  const std::string eta = settings.substr(11, settings.find(' ', 11) - 11);
-  if (utils::strmatch(eta, "^v_"))
-    one(fmt::format("variable {} equal {}", eta.substr(2), plan.pair->viscosity()));
-
-  one("pair_style " + settings);
-  auto *pair = dynamic_cast<PairLubcontact *>(lmp->force->pair);
-  const File file = scratch(original);
-  if (file) {
-    plan.pair->write_restart(file.get());
-    rewind(file.get());
-  }
-  pair->read_restart(file.get());
-  if (effects.everything) pair->switch_on(effects.laws, effects.radius);
-  for (const auto &effect : effects.without) pair->leave_out(effect);
+  one("pair_style lubcontact " +
+      style_words(law.settings, fmt::format("{}", law.settings.viscosity)));
+  dynamic_cast<PairLubcontact *>(lmp->force->pair)->adopt(law);
 }
 
 /* ---------------------------------------------------------------------- */
 
-void SceneInstance::copy_fixes(const Plan &plan, const Effects &effects) const
+void SceneInstance::copy_fixes(const Parts &parts, bool with_drag) const
 {
-  const auto &without = effects.without;
-  const bool no_drag = std::find(without.begin(), without.end(), DRAG) != without.end();
-  for (const Plan::Part &part : plan.fixes) {
+  for (const Parts::Part &part : parts.fixes) {
     Fix *fix = part.fix;
     const bool drag = background_of(fix) != nullptr;
-    if (drag && no_drag) continue;
+    if (drag && !with_drag) continue;
     one(fmt::format("fix {} {} {} {}", fix->id, original->group->names[fix->igroup], fix->style,
                     part.settings));
     if (drag || dynamic_cast<FixDeformRheometer *>(fix)) copy_state(fix);
@@ -145,24 +133,14 @@ void SceneInstance::copy_state(Fix *fix) const
 }
 
 /* ----------------------------------------------------------------------
-   history of a pair at distance r, from one with the effects `from`
-------------------------------------------------------------------------- */
-
-void PairLubcontact::adopt_history(unsigned from, const double *old, int itype, int jtype,
-                                   double ri, double rj, double r, double *next) const
-{
-  Scene_NS::adopt_history(from, instance, coeffs[itype][jtype].normal, effective_radius(ri, rj),
-                          r - ri - rj, old, next);
-}
-
-/* ----------------------------------------------------------------------
    between runs the history of a pair is kept with both particles
 ------------------------------------------------------------------------- */
 
-void SceneInstance::copy_history(const PairLubcontact *from)
+void SceneInstance::copy_history(const PairLubcontact *from, const Lubcontact_NS::Law &law)
 {
   const auto *to = dynamic_cast<PairLubcontact *>(lmp->force->pair);
-  FixNeighHistoryLubcontact *source = from->history(), *target = to->history();
+  FixNeighHistoryLubcontact *source = from->neighbors().history.carrier();
+  FixNeighHistoryLubcontact *target = to->neighbors().history.carrier();
   if (!target) return;
   history_kept = source != nullptr;
   if (!source) return;
@@ -191,8 +169,11 @@ void SceneInstance::copy_history(const PairLubcontact *from)
       adopted[0] += 1.0;
       adopted.push_back(ubuf(name->second).d);
       adopted.resize(adopted.size() + new_size);
-      to->adopt_history(from->effects(), record + 1, atom->type[i], partner.type, atom->radius[i],
-                        partner.radius, r, adopted.data() + adopted.size() - new_size);
+      const auto c = Scene_NS::coeffs_between(law, atom->type[i], partner.type);
+      const double ri = atom->radius[i], rj = partner.radius;
+      Scene_NS::adopt_history(from->effects(), to->effects(), pair_coeffs(law.settings, c).normal,
+                              effective_radius(law.settings.radius, ri, rj), r - ri - rj,
+                              record + 1, adopted.data() + adopted.size() - new_size);
     }
     target->adopt(i, adopted);
   }

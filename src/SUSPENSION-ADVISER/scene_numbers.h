@@ -25,6 +25,14 @@ inline bool known(double x)
   return !std::isnan(x);
 }
 
+// to four digits
+inline double rounded(double x)
+{
+  const double power = std::floor(std::log10(std::fabs(x))) - 3.0;
+  const double unit = std::pow(10.0, std::fabs(power));
+  return x == 0.0 ? 0.0 : power < 0.0 ? std::round(x * unit) / unit : std::round(x / unit) * unit;
+}
+
 // laws of friction with a critical load, by how much of it they keep where all contacts rub
 enum CriticalLaw { STEP_LAW, SHIFT_LAW, RAMP_LAW };
 

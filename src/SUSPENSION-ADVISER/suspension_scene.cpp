@@ -13,30 +13,13 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "force.h"
-#include "modify.h"
-#include "pair_lubcontact.h"
-#include "scene_numbers.h"
+#include "scene_adviser.h"
+#include "scene_measurement.h"
 #include "suspension_host.h"
-#include "suspension_input.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using Scene_NS::known;
-using Scene_NS::UNKNOWN;
-
-/* ---------------------------------------------------------------------- */
-
-SuspensionScene::SuspensionScene(LAMMPS *lmp) :
-    Command(lmp), scene(new Scene_NS::Scene()), pair(nullptr), walls(false), limit_known(false),
-    total_mass(0.0), screening(UNKNOWN), tolerance(UNKNOWN), brief(false)
-{
-}
-
-SuspensionScene::~SuspensionScene() = default;
 
 /* ----------------------------------------------------------------------
    suspension_scene brief keyword value ... | suspension_scene measure N keyword value ...
@@ -47,121 +30,10 @@ void SuspensionScene::command(int narg, char **arg)
   if (!domain->box_exist || atom->natoms == 0)
     error->all(FLERR, "Suspension_scene needs particles: use it after they are created");
   Suspension_NS::require_spheres(lmp, "Suspension_scene");
-  if (narg > 0 && strcmp(arg[0], "measure") == 0) {
-    measure(narg, arg);
-    return;
-  }
-  read_particles();
-  read_box();
-  read_pair();
-  read_flow();
-  read_plates();
-  read_gravity();
-  parse(narg, arg);
-  if (comm->me == 0) utils::logmesg(lmp, report());
-}
-
-// own: effect of the pair style that it may differ from, empty for what every pair style has
-struct SuspensionScene::Keyword {
-  const char *name;
-  double *value, unit;
-  bool zero;
-  const char *own;
-};
-
-std::vector<SuspensionScene::Keyword> SuspensionScene::keywords()
-{
-  const double stress = 1.0 / force->nktv2p;    // LAMMPS' pressure to force/area
-  return {{"viscosity", &scene->viscosity, 1.0, true, ""},
-          {"rate", &scene->rate, 1.0, false, nullptr},
-          {"pressure", &scene->pressure, stress, false, nullptr},
-          {"stiffness", &scene->g, 1.0, false, ""},
-          {"roughness", &scene->roughness, 1.0, true, ""},
-          {"friction", &scene->friction, 1.0, true, ""},
-          {"adhesion", &scene->adhesion, 1.0, true, "adhesion"},
-          {"repulsion", &scene->repulsion, 1.0, true, "repulsion"},
-          {"critical", &scene->critical, 1.0, true, "critical load"},
-          {"temperature", &scene->thermal, force->boltz, true, nullptr},
-          {"fluid_density", &scene->fluid_density, force->mvv2e, true, nullptr},
-          {"tolerance", &tolerance, 1.0, false, nullptr}};
-}
-
-double SuspensionScene::number(char **arg, int iarg, const char *name, bool zero) const
-{
-  const double value = utils::numeric(FLERR, arg[iarg], false, lmp);
-  if (!(value >= 0.0) || (value == 0.0 && !zero))
-    error->all(FLERR, iarg, "Suspension_scene {} must be {} 0, but is {}", name, zero ? ">=" : ">",
-               arg[iarg]);
-  return value;
-}
-
-/* ----------------------------------------------------------------------
-   what the script says overrides what is found
-------------------------------------------------------------------------- */
-
-void SuspensionScene::take(const Keyword &keyword, int iarg, char **arg)
-{
-  const double value = number(arg, iarg + 1, keyword.name, keyword.zero) * keyword.unit;
-  const bool has = pair && keyword.own && (*keyword.own == '\0' || pair->uses(keyword.own));
-  if (has && value != *keyword.value)
-    overridden += fmt::format(" {} {}", keyword.name, arg[iarg + 1]);
-  *keyword.value = value;
-  if (keyword.value == &scene->pressure) measured.used = false;
-  if (keyword.value == &scene->critical) {    // of all contacts
-    scene->critical_max = value;
-    scene->rubs_always = false;
-  }
-  if (keyword.value == &tolerance && value >= 1.0)
-    error->all(FLERR, iarg + 1,
-               "Suspension_scene tolerance is a relative error and must be < 1, but is {}",
-               arg[iarg + 1]);
-}
-
-void SuspensionScene::parse(int narg, char **arg)
-{
-  const std::vector<Keyword> all = keywords();
-  for (int iarg = 0; iarg < narg; iarg += 2) {
-    if (strcmp(arg[iarg], "brief") == 0) {
-      brief = true;
-      iarg--;
-      continue;
-    }
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Keyword &keyword) {
-      return strcmp(arg[iarg], keyword.name) == 0;
-    });
-    if (found == all.end()) {
-      std::string names = "measure, brief";
-      for (const Keyword &keyword : all) names += std::string(", ") + keyword.name;
-      error->all(FLERR, iarg, "Unknown suspension_scene keyword: {}; those that exist: {}",
-                 arg[iarg], names);
-    }
-    Suspension_NS::require_words(FLERR, error, "suspension_scene", narg - iarg,
-                                 std::string(arg[iarg]) + " value");
-    take(*found, iarg, arg);
-    const bool length = strcmp(found->name, "repulsion") == 0 && iarg + 2 < narg;
-    if (length && utils::is_double(arg[iarg + 2])) {
-      screening = number(arg, iarg + 2, "length of the repulsion", false);
-      iarg++;
-    }
-  }
-  if (brief && known(tolerance))
-    error->all(FLERR,
-               "Suspension_scene brief cannot act with tolerance, which prints its settings only: "
-               "remove one of them");
-}
-
-/* ---------------------------------------------------------------------- */
-
-bool SuspensionScene::overdamped() const
-{
-  return !modify->get_fix_by_style("^overdamped").empty();
-}
-
-/* ----------------------------------------------------------------------
-   gravity and no shear: the laws of shear say nothing
-------------------------------------------------------------------------- */
-
-bool SuspensionScene::falls() const
-{
-  return !gravity.empty() && !known(scene->rate);
+  if (Suspension_NS::measure_particles(lmp).number == 0.0)
+    error->all(FLERR, "Suspension_scene: no particle has a radius");
+  const bool measure = narg > 0 && strcmp(arg[0], "measure") == 0;
+  const std::string text = measure ? SceneMeasurement(lmp).advice(narg, arg)
+                                   : SceneAdviser(lmp).advice(narg, arg);
+  if (comm->me == 0) utils::logmesg(lmp, text);
 }

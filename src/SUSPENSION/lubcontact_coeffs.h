@@ -92,9 +92,9 @@ constexpr std::size_t law_column(double TypeCoeffs::*value)
 // Effects that read place n.
 constexpr unsigned effects_of_law_column(std::size_t n)
 {
-  std::size_t m = 0;
-  while (!COLUMNS[m].effects || law_column(m) != n) m++;
-  return COLUMNS[m].effects;
+  for (std::size_t m = 0; m < NUM_COLUMNS; m++)
+    if (COLUMNS[m].effects && law_column(m) == n) return COLUMNS[m].effects;
+  return 0;
 }
 
 // A value that a user may give.

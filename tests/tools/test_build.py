@@ -30,6 +30,11 @@ class Build(unittest.TestCase):
         longest = [n for n, name in enumerate(objects) if name.startswith("pair_lubcontact_loop")]
         self.assertEqual(longest, list(range(len(longest))), "the longest files are not the first: " + " ".join(objects))
 
+    def test_plugin_without_adviser(self):
+        off = ("-D", "SUSPENSION_TESTS=OFF", "-D", "SUSPENSION_ADVISER=OFF")
+        self.assertIn("/SUSPENSION-ADVISER/suspension_scene.cpp", self.configure(*LAMMPS, *off[:2]))
+        self.assertNotIn("/SUSPENSION-ADVISER/suspension_scene.cpp", self.configure(*LAMMPS, *off))
+
     def test_kernel_tests_without_lammps(self):
         rules = self.configure()
         self.assertIn("build kernel_tests:", rules)

@@ -7,20 +7,19 @@ from pathlib import Path
 
 SRC = Path(__file__).resolve().parents[2] / "src"
 
-# From the bottom up; a file belongs to the first pattern that fits. It may include what is in its own layer or below, as
-# long as no cycle comes of it.
+# From the bottom up; a file belongs to the first pattern that fits, "objects" being lubcontact_* with a .cpp. It may include
+# what is in its own layer or below, as long as no cycle comes of it.
 LAYERS = (
-    # objects with the prefix of the physics, but with LAMMPS
-    ("objects of the pair style", 3, "lubcontact_type_coeffs.* lubcontact_history.* lubcontact_pairs.* lubcontact_tally.* "
-                                     "lubcontact_loop* radical_tessellation.*"),
+    ("objects of the pair style", 3, "objects lubcontact_loop* radical_tessellation.*"),
     ("physics", 0, "lubcontact_*.h pairstat_*.h material_*.h fluid_*.h restart_seal.h "
                    "rheometer_flow.h rheometer_list.h rheometer_mean.h rheometer_plate.h rheometer_servo.h"),
     ("physics of the adviser", 1, "scene_numbers.h scene_verdict.h scene_bounds.h scene_settling.h scene_accuracy.h "
-                                  "scene_history.h scene_laws.h"),
+                                  "scene_history.h scene_laws.h scene_words.h"),
     ("host and input", 2, "suspension_host.* suspension_input.* uncounted_forces.* exclusive_particles.* spin_inertia.* "
-                          "list_keeper.* fix_neigh_history_*"),
+                          "particle_inertia.* list_keeper.* fix_neigh_history_*"),
     ("pair style", 4, "pair_lubcontact*"),
-    ("fixes", 5, "fix_deform_rheometer* fix_rheometer_plates* background_* fix_drag_background.* fix_overdamped_sphere.*"),
+    ("fixes", 5, "fix_deform_rheometer* fix_rheometer_plates* background_* fix_background_fluid.* fix_drag_background.* "
+                 "fix_overdamped_sphere.*"),
     ("computes and commands", 6, "compute_* suspension_history.*"),
     ("adviser", 7, "scene_* suspension_scene*"),
     ("plugin", 8, "suspensionplugin.cpp"),
@@ -37,13 +36,8 @@ KNOWN = {
         "fix_rheometer_plates.h: exclusive_particles.h",
         "fix_rheometer_plates.h: rheometer_mean.h",
         "fix_rheometer_plates.h: suspension_input.h",
-        "suspension_scene.h: scene_instance.h",
     },
-    "cycles": {
-        "pair_lubcontact pair_lubcontact_checks",
-        "pair_lubcontact pair_lubcontact_loop",
-        "pair_lubcontact_checks pair_lubcontact_loop",
-    },
+    "cycles": set(),
 }
 
 FILES = {path.name: path for path in sorted(SRC.rglob("*")) if path.suffix in (".h", ".cpp")}
@@ -54,18 +48,22 @@ NOTICE = ("SUSPENSION: dense non-Brownian suspensions in LAMMPS",
 
 
 def layer(name):
+    is_object = name.startswith("lubcontact_") and Path(name).stem + ".cpp" in FILES
     for title, height, patterns in LAYERS:
-        if any(fnmatchcase(name, pattern) for pattern in patterns.split()):
+        if any(pattern == "objects" and is_object or fnmatchcase(name, pattern) for pattern in patterns.split()):
             return title, height
     raise AssertionError(f"{name} is in no layer: add it to the table in {Path(__file__).name}")
 
 
 def module(name):
-    """A header and its .cpp files: x_more.cpp belongs to x.h unless there is an x_more.h."""
+    """A header and what belongs to it: x.cpp, and x_more.cpp or x_more.h if they include x.h."""
     stem = Path(name).stem
-    while stem and stem + ".h" not in FILES:
-        stem = stem.rpartition("_")[0]
-    return stem or Path(name).stem
+    parts = stem.split("_")
+    for n in range(len(parts), 0, -1):
+        header = "_".join(parts[:n]) + ".h"
+        if header != name and header in FILES and header in INCLUDES[name]:
+            return module(header)
+    return stem
 
 
 def base_header(text):

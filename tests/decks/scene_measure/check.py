@@ -33,11 +33,15 @@ def numbers(text, effect):
 
 
 cases = [("pressed", {"flow": PRESSED}), ("fix deform, newton off", {"flow": LAMMPS, "newton": "off"})]
+if deck.RANKS == 2:
+    cases += [("lists by size", {"flow": LAMMPS, "multi": "yes", "collect": "neigh_modify collection/interval 3 2.0 2.2 9.0", "types": 2}),
+              ("lists by type", {"flow": LAMMPS, "multi": "yes", "collect": "neigh_modify collection/type 3 2 1,4 3", "types": 4}),
+              ("lists of each type", {"flow": LAMMPS, "multi": "yes", "types": 3})]
 if deck.RANKS == 1:
     cases.append(("discs, viscosity by variable",
                   {"flow": "deform/rheometer rate 1 volume viscosity v_eta", "viscosity": "v_eta", "dim": 2}))
 for name, case in cases:
-    deck.make_state(dim=case.get("dim", 3), phi=0.75 if "dim" in case else 0.5)
+    deck.make_state(dim=case.get("dim", 3), phi=0.75 if "dim" in case else 0.5, types=case.get("types", 1))
     yes = deck.run("in.scene_measure", measure="yes", out="yes", **case)
     no = deck.run("in.scene_measure", measure="no", out="no", **case)
     for file in FILES:

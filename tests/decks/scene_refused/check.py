@@ -76,6 +76,10 @@ def run(lines, fails):
 
 
 deck.make_state()
+if "LAMMPS (4 Feb 2025" in run("", fails=False):    # newer ones do not have these styles any more
+    CASES += [(SHEAR + f"{line}\nsuspension_scene measure 10", f"cannot copy {name}; the advice without", None)
+              for line, name in (("neighbor 0.3 multi/old", "neighbor multi/old"),
+                                 ("comm_modify mode multi/old", "comm_modify mode multi/old"))]
 for lines, message, word in CASES:
     deck.expect_error(lines.splitlines()[-1], run(lines, fails=True), message, word)
 text = run(GRAVITY + "suspension_scene", fails=False)

@@ -9,13 +9,13 @@
 
 // suspension_scene tolerance: settings for a tolerance of the viscosity, their error and cost.
 
-#include "suspension_scene.h"
+#include "scene_adviser.h"
 
-#include "atom.h"
 #include "force.h"
 #include "pair_lubcontact.h"
 #include "scene_accuracy.h"
 #include "scene_bounds.h"
+#include "scene_words.h"
 #include "utils.h"
 
 #include <cmath>
@@ -26,6 +26,8 @@ using Scene_NS::Numbers;
 using Scene_NS::Plan;
 using Scene_NS::show;
 
+static constexpr auto MEASURED_RANGE = Lubcontact_NS::Range::CUT;
+static constexpr double MEASURED_REACH = 0.5;
 static constexpr double WIDE = 1.5;    // bounds of the pressure: the stiffness rests on it
 
 static std::string percent(double x)
@@ -37,7 +39,7 @@ static std::string percent(double x)
    what the plan cannot do without; empty: all there
 ------------------------------------------------------------------------- */
 
-static std::string missing(const Scene_NS::Scene &s, const Numbers &n, const Pair *pair)
+static std::string missing(const Scene_NS::Scene &s, const Numbers &n, bool has_pair)
 {
   if (s.dimension != 3.0) return "measured for spheres only";
   if (!(s.viscosity > 0.0)) return "measured in a fluid only: give its viscosity eta";
@@ -49,7 +51,7 @@ static std::string missing(const Scene_NS::Scene &s, const Numbers &n, const Pai
     return "the pressure, on which the stiffness rests, is not known before a run: run first, or "
            "give it: pressure P";
   if (!(s.roughness > 0.0)) return "measured for rough particles only: give roughness eps";
-  if (!pair || !known(s.dt_limit))
+  if (!has_pair || !known(s.dt_limit))
     return "the limit of the time step is unknown: define the pair style, and let particles have "
            "inertia "
            "(no fix overdamped/sphere)";
@@ -58,9 +60,9 @@ static std::string missing(const Scene_NS::Scene &s, const Numbers &n, const Pai
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::plan_text(const Plan &p) const
+std::string SceneAdviser::plan_text(const Plan &p) const
 {
-  const Scene_NS::Scene &s = *scene;
+  const Scene_NS::Scene &s = scene;
   std::string text = fmt::format("  {:<26} {:>10} {:>10}\n", "source of error", "setting", "error");
   const std::string settings[] = {show(p.step), show(p.softness), show(p.St),
                                   fmt::format("{:.0f}", p.particles)};
@@ -88,47 +90,27 @@ std::string SuspensionScene::plan_text(const Plan &p) const
   return text;
 }
 
-static double softest(Pair *pair, int ntypes)
-{
-  int dim;
-  const auto *const *g = static_cast<double **>(pair->extract("g", dim));
-  double least = Scene_NS::UNKNOWN;
-  for (int i = 1; i <= ntypes; i++)
-    for (int j = i; j <= ntypes; j++)
-      if (pair->setflag[i][j]) least = known(least) ? MIN(least, g[i][j]) : g[i][j];
-  return least;
-}
-
 /* ----------------------------------------------------------------------
-   stiffer by a factor: all springs alike
+   stiffer by a factor; the stiffnesses rounded, as everything that is proposed
 ------------------------------------------------------------------------- */
 
-std::string SuspensionScene::stiffer_coeffs(double factor) const
+std::string SceneAdviser::stiffer_coeffs(double factor) const
 {
-  int dim;
-  const auto *const *g = static_cast<double **>(pair->extract("g", dim));
-  const auto *const *kt = static_cast<double **>(pair->extract("kt", dim));
-  const auto *const *k = static_cast<double **>(pair->extract("asperity", dim));
-  std::string text;
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      if (!pair->setflag[i][j]) continue;
-      const std::string words = pair->coeff_words(i, j, {});
-      text +=
-          fmt::format("  pair_coeff {} {:.4g} {:.4g} asperity {:.4g} {}\n",
-                      atom->ntypes > 1 ? fmt::format("{} {}", i, j) : "* *", factor * g[i][j],
-                      factor * kt[i][j], factor * k[i][j], words.substr(words.find("roughness")));
-    }
-  return text;
+  Lubcontact_NS::Law use = law;
+  for (auto &c : use.rows) {
+    if (!Scene_NS::is_given(c)) continue;
+    c = Scene_NS::stiffer(c, factor);
+    for (double *stiffness : {&c.g, &c.kt, &c.asperity}) *stiffness = Scene_NS::rounded(*stiffness);
+  }
+  return Scene_NS::coeff_lines(use);
 }
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::tolerance_lines() const
+std::string SceneAdviser::tolerance_lines() const
 {
-  Scene_NS::Scene s = *scene;
-  if (pair)
-    s.g = softest(pair, atom->ntypes);    // the limit of the time step is that of the pair style
+  Scene_NS::Scene s = scene;
+  if (pair) s.g = Scene_NS::softest(law);    // the limit of the time step is that of the pair style
   const Numbers n = Scene_NS::numbers(s);
   std::string text = fmt::format("Settings for a viscosity within {} of the converged solution of "
                                  "this model\n",
@@ -139,7 +121,7 @@ std::string SuspensionScene::tolerance_lines() const
       s.particles, show(s.phi), show(s.roughness), show(s.friction), show(s.viscosity),
       show(s.rate), describe_pressure());
   text += doubts_of_pressure();
-  const std::string lack = missing(s, n, pair);
+  const std::string lack = missing(s, n, pair != nullptr);
   if (!lack.empty()) return text + "  cannot tell: " + lack + "\n";
   const Plan p = Scene_NS::plan(tolerance, s, n, s.dt_limit);
   if (!p.possible)
@@ -148,7 +130,8 @@ std::string SuspensionScene::tolerance_lines() const
                     percent(Scene_NS::finest(s, n, s.dt_limit)));
   text += plan_text(p);
   for (const std::string &remark : Scene_NS::remarks(tolerance, s)) text += "  " + remark + "\n";
-  if ((pair->settings_text({}) + " ").find(" cut 0.5 ") == std::string::npos)
+  const Lubcontact_NS::Settings &given = law.settings;
+  if (given.range != MEASURED_RANGE || given.reach_a != MEASURED_REACH)
     text += "  measured with range cut 0.5, which is part of the model: errors and cost are "
             "estimates\n";
 
@@ -156,9 +139,9 @@ std::string SuspensionScene::tolerance_lines() const
   const double dt = p.step * s.dt_limit * std::sqrt(heavier / stiffer);
   text += "Deck lines to use\n";
   text += fmt::format("  set group all density {:.4g}\n", heavier * s.density / force->mvv2e);
-  std::vector<std::string> without;
-  if (!p.twist) without.push_back("twist");
-  text += "  pair_style " + pair->settings_text(without) + "\n" + stiffer_coeffs(stiffer);
+  text += Scene_NS::style_line(p.twist ? law : without(law, Lubcontact_NS::TWIST),
+                               pair->viscosity_word()) +
+      stiffer_coeffs(stiffer);
   text += fmt::format("  timestep {:.4g}\n", dt);
   auto steps = [&s, dt](double strain) {
     return std::ceil(strain / std::fabs(s.rate) / dt);

@@ -9,10 +9,9 @@
 
 // suspension_scene: what it prints, but for the lines of the input script.
 
-#include "suspension_scene.h"
+#include "scene_adviser.h"
 
 #include "force.h"
-#include "pair_lubcontact.h"
 #include "scene_bounds.h"
 #include "scene_settling.h"
 #include "utils.h"
@@ -27,7 +26,7 @@ using Scene_NS::Verdict;
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::report() const
+std::string SceneAdviser::report() const
 {
   std::string text;
   if (known(tolerance))
@@ -53,20 +52,20 @@ static std::string as_lines(const std::vector<std::string> &warnings)
   return text;
 }
 
-std::string SuspensionScene::advice_for_falling() const
+std::string SceneAdviser::advice_for_falling() const
 {
-  const Scene_NS::Settling fall = Scene_NS::settling(*scene);
+  const Scene_NS::Settling fall = Scene_NS::settling(scene);
   return (brief ? "" : describe() + describe_settling(fall)) +
-      table(Scene_NS::judge_settling(*scene, fall)) +
-      as_lines(Scene_NS::settling_warnings(*scene, fall)) +
+      table(Scene_NS::judge_settling(scene, fall)) +
+      as_lines(Scene_NS::settling_warnings(scene, fall)) +
       "No deck lines: this scene is not sheared, and nothing was measured of others\n";
 }
 
-std::string SuspensionScene::advice_for_shear() const
+std::string SceneAdviser::advice_for_shear() const
 {
-  const auto verdicts = Scene_NS::judge_at_bounds(*scene);
+  const auto verdicts = Scene_NS::judge_at_bounds(scene);
   std::string text = brief ? "" : describe() + describe_numbers();
-  text += table(verdicts) + as_lines(Scene_NS::warnings_at_bounds(*scene));
+  text += table(verdicts) + as_lines(Scene_NS::warnings_at_bounds(scene));
   if (!gravity.empty())
     text += "  warning: the numbers are those of the shear; what gravity does (" + gravity +
         ") is in none of them\n";
@@ -75,7 +74,7 @@ std::string SuspensionScene::advice_for_shear() const
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::table(const std::vector<Verdict> &verdicts) const
+std::string SceneAdviser::table(const std::vector<Verdict> &verdicts) const
 {
   std::string text = "Which effects this scene calls for\n";
   for (const Verdict &v : verdicts)
@@ -88,9 +87,9 @@ std::string SuspensionScene::table(const std::vector<Verdict> &verdicts) const
    is a measured pressure that of the steady flow?
 ------------------------------------------------------------------------- */
 
-std::string SuspensionScene::doubts_of_pressure() const
+std::string SceneAdviser::doubts_of_pressure() const
 {
-  const Scene_NS::Scene &s = *scene;
+  const Scene_NS::Scene &s = scene;
   const double unit = force->nktv2p;
   std::string text;
   if (!measured.used) return text;
@@ -113,9 +112,9 @@ std::string SuspensionScene::doubts_of_pressure() const
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::describe_pressure() const
+std::string SceneAdviser::describe_pressure() const
 {
-  const auto numbers = Scene_NS::numbers_at_bounds(*scene);
+  const auto numbers = Scene_NS::numbers_at_bounds(scene);
   const double unit = force->nktv2p, low = numbers.front().pressure, high = numbers.back().pressure;
   std::string text = show(low * unit);
   if (low < high)
@@ -133,9 +132,9 @@ std::string SuspensionScene::describe_pressure() const
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::describe() const
+std::string SceneAdviser::describe() const
 {
-  const Scene_NS::Scene &s = *scene;
+  const Scene_NS::Scene &s = scene;
   std::string text = "Suspension scene: what is there\n";
   text += fmt::format("  particles       {:.0f} {}, radius {} ({} to {}, spread {}), density {}\n",
                       s.particles, s.dimension == 2.0 ? "discs" : "spheres", show(s.radius),
@@ -163,9 +162,9 @@ std::string SuspensionScene::describe() const
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::describe_numbers() const
+std::string SceneAdviser::describe_numbers() const
 {
-  const auto n = Scene_NS::numbers_at_bounds(*scene);
+  const auto n = Scene_NS::numbers_at_bounds(scene);
   const std::pair<const char *, double Numbers::*> rows[] = {
       {"St = rho a^2 rate/eta", &Numbers::St},   {"Iv = eta rate/P", &Numbers::Iv},
       {"I = d rate sqrt(rho/P)", &Numbers::I},   {"Iv + I^2/10", &Numbers::K},
@@ -180,7 +179,7 @@ std::string SuspensionScene::describe_numbers() const
 
 /* ---------------------------------------------------------------------- */
 
-std::string SuspensionScene::describe_settling(const Scene_NS::Settling &n) const
+std::string SceneAdviser::describe_settling(const Scene_NS::Settling &n) const
 {
   std::string text = "A sphere of the mean radius that falls\n";
   const std::pair<const char *, double> rows[] = {

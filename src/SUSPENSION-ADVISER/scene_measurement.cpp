@@ -10,76 +10,94 @@
 // suspension_scene measure: copies of the system run with everything on, and without each effect in
 // turn.
 
-#include "suspension_scene.h"
+#include "scene_measurement.h"
 
-#include "atom.h"
 #include "background_fluid.h"
-#include "comm.h"
 #include "error.h"
 #include "exceptions.h"
 #include "fix.h"
-#include "force.h"
 #include "group.h"
-#include "lubcontact_channels.h"
-#include "lubcontact_power.h"
 #include "modify.h"
-#include "scene_instance.h"
+#include "pair_lubcontact.h"
+#include "scene_laws.h"
 #include "scene_sampler.h"
-#include "scene_verdict.h"
+#include "scene_words.h"
+#include "suspension_host.h"
 #include "suspension_input.h"
 #include "timer.h"
 #include "update.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 using Scene_NS::UNKNOWN;
-using Effects = SceneInstance::Effects;
 
 static constexpr int BLOCKS = 10;    // of a run; the second half counts
 static constexpr int COUNTED = 5;
 static constexpr int PATH = 8;    // sum of |strain| in the output of fix deform/rheometer
 static constexpr char COLUMNS[] = "  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n";
 
-// where an effect shows: rows of compute stress/partition and of compute power/partition; and what
-// measuring it would need
-struct Row {
-  const char *effect;
-  int stress, power;
-  const char *cure;
+// what measuring an effect would need, that the deck does not have
+struct Cure {
+  unsigned bit;
+  const char *text;
 };
-static constexpr Row ROWS[] = {
-    {"squeeze", Lubcontact_NS::LUBRICATION_NORMAL, Lubcontact_NS::SQUEEZE_FILM, ""},
-    {"shear", Lubcontact_NS::LUBRICATION_TANGENTIAL, Lubcontact_NS::SHEAR_FILM, ""},
-    {"roll", -1, Lubcontact_NS::ROLL_FILM, ""},
-    {"twist", -1, Lubcontact_NS::TWIST_FILM, ""},
-    {"friction", Lubcontact_NS::CONTACT_TANGENTIAL, Lubcontact_NS::FRICTION_CONTACT,
-     "give its coefficient with 'friction mu'"},
-    {"critical load", -1, -1, "give it with 'critical F', and friction with 'friction mu'"},
-    {"adhesion", -1, Lubcontact_NS::NORMAL_CONTACT, "give the pull-off force with 'adhesion F'"},
-    {"repulsion", 5, Lubcontact_NS::REPULSIVE_FORCE,
-     "give its force and length with 'repulsion F lambda'"},
-    {SceneInstance::DRAG, -1, Lubcontact_NS::NUM_ORIGINS, "add fix drag/background to the script"}};
+static constexpr Cure CURES[] = {
+    {Lubcontact_NS::FRICTION, "give its coefficient with 'friction mu'"},
+    {Lubcontact_NS::THRESHOLD, "give it with 'critical F', and friction with 'friction mu'"},
+    {Lubcontact_NS::ADHESION, "give the pull-off force with 'adhesion F'"},
+    {Lubcontact_NS::REPULSION, "give its force and length with 'repulsion F lambda'"}};
+
+// One line of the table; of the drag, which is not of the pair law, the bit is 0. Where it shows: rows of
+// compute stress/partition and of compute power/partition, or -1.
+struct SceneMeasurement::Row {
+  unsigned bit = 0;
+  const char *name = "drag";
+  int stress = -1, power = Lubcontact_NS::NUM_ORIGINS;    // behind those of the pair law
+  const char *cure = "add fix drag/background to the script";
+
+  Row() = default;
+  explicit Row(const Lubcontact_NS::EffectRow &effect) :
+      bit(effect.bit), name(effect.name), power(-1), cure("")
+  {
+    if (effect.channel < Lubcontact_NS::NUM_CHANNELS)
+      stress = Lubcontact_NS::stress_row(effect.channel);
+    if (effect.origin < Lubcontact_NS::NUM_ORIGINS) power = effect.origin;
+    for (const Cure &one : CURES)
+      if (one.bit == bit) cure = one.text;
+  }
+  bool acts_in(const Case &all, bool with_drag) const
+  {
+    return bit ? uses(all.law, bit) : with_drag;
+  }
+  Case removed_from(Case all) const
+  {
+    if (bit)
+      all.law = without(all.law, bit);
+    else
+      all.drag = false;
+    return all;
+  }
+};
 
 // means over the blocks that count
-struct SuspensionScene::Measured {
+struct SceneMeasurement::Measured {
   double stress[COUNTED] = {}, pressure[COUNTED] = {};
   double viscosity[COUNTED] = {}, phi[COUNTED] = {};    // stress over rate
   std::vector<double> parts, power;    // rows of the partitions; no power without its compute
   double seconds = 0.0;                // of CPU a step
   double strain = 0.0;
   bool history_kept = true;
-  std::vector<std::string> on;    // effects
-  std::string deck;               // lines that make them
 };
 
 // what the script asks for
-struct SuspensionScene::Options {
+struct SceneMeasurement::Options {
   int nsteps = 0;
   double limit = 0.02;
-  Effects all;
+  Scene_NS::SurfaceLaws laws;                  // that the deck need not have
   int critical_word = 0, adhesion_word = 0;    // where they are, 0: nowhere
 };
 
@@ -109,9 +127,9 @@ Mean change(const double *without, const double *with)
 }
 
 // are both changes below the limit, with (1) or without (-1) twice their errors?
-bool below(const Mean *by, double sign, double limit)
+bool below(const std::array<Mean, 2> &by, double sign, double limit)
 {
-  return std::all_of(by, by + 2, [&](const Mean &x) {
+  return std::all_of(by.begin(), by.end(), [&](const Mean &x) {
     return fabs(x.value) + sign * 2.0 * x.error < limit;
   });
 }
@@ -134,11 +152,6 @@ void add(const std::vector<double> &x, std::vector<double> &sum)
   for (std::size_t n = 0; n < x.size(); n++) sum[n] += x[n];
 }
 
-bool contains(const std::vector<std::string> &all, const std::string &one)
-{
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
-
 double share(const std::vector<double> &parts, int row)
 {
   double sum = 0.0;
@@ -149,31 +162,25 @@ double share(const std::vector<double> &parts, int row)
 }    // namespace
 
 /* ----------------------------------------------------------------------
-   a copy of the system, run with these effects
+   a copy of the system
 ------------------------------------------------------------------------- */
 
-SuspensionScene::Measured SuspensionScene::run_copy(const SceneInstance::Plan &plan, int nsteps,
-                                                    const Effects &effects) const
+SceneMeasurement::Measured SceneMeasurement::run_copy(const Parts &parts, int nsteps,
+                                                      const Case &one) const
 {
-  const SceneInstance copy(lmp, plan, effects);
+  const SceneInstance copy(lmp, parts, one.law, one.drag);
   const int block = nsteps / BLOCKS, every = MIN(block, 10);
   const bigint start = copy.lmp->update->ntimestep;
-  SceneSampler sampler(copy, plan.flow, every);
+  SceneSampler sampler(copy, parts.flow, every);
   copy.one("thermo_style custom step");
   copy.one(fmt::format("run {} post no", nsteps));
 
   Measured result;
-  const auto *style = dynamic_cast<PairLubcontact *>(copy.lmp->force->pair);
-  const bool drag = !plan.drags.empty() && !contains(effects.without, SceneInstance::DRAG);
-  for (const Row &row : ROWS)
-    if (row.effect == SceneInstance::DRAG ? drag : style->uses(row.effect))
-      result.on.emplace_back(row.effect);
-  result.deck = deck_lines_of(style, plan, drag);
   result.history_kept = copy.history_kept;
-  result.strain = fabs(plan.rate) * nsteps * update->dt;
-  if (plan.rate == 0.0) {
-    Fix *flow = copy.lmp->modify->get_fix_by_id(plan.flow->id);
-    result.strain = flow->compute_vector(PATH) - plan.flow->compute_vector(PATH);
+  result.strain = fabs(parts.rate) * nsteps * update->dt;
+  if (parts.rate == 0.0) {
+    Fix *flow = copy.lmp->modify->get_fix_by_id(parts.flow->id);
+    result.strain = flow->compute_vector(PATH) - parts.flow->compute_vector(PATH);
   }
   const double mine = copy.lmp->timer->get_cpu(Timer::TOTAL) / nsteps;
   MPI_Allreduce(&mine, &result.seconds, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -186,7 +193,7 @@ SuspensionScene::Measured SuspensionScene::run_copy(const SceneInstance::Plan &p
     for (const double part : syy) result.pressure[b] -= part;
     const auto rate = sampler.mean(from, from + block, sampler.rate);
     const auto phi = sampler.mean(from, from + block, sampler.phi);
-    result.viscosity[b] = result.stress[b] / (rate.empty() ? plan.rate : rate[0]);
+    result.viscosity[b] = result.stress[b] / (rate.empty() ? parts.rate : rate[0]);
     result.phi[b] = phi.empty() ? UNKNOWN : phi[0];
     add(sxy, result.parts);
     add(power, result.power);
@@ -198,14 +205,14 @@ SuspensionScene::Measured SuspensionScene::run_copy(const SceneInstance::Plan &p
    lines of the script that make these effects
 ------------------------------------------------------------------------- */
 
-std::string SuspensionScene::deck_lines_of(const PairLubcontact *style,
-                                           const SceneInstance::Plan &plan, bool drag) const
+std::string SceneMeasurement::deck_lines(const Parts &parts, const Case &one) const
 {
-  std::string text = "  pair_style " + style->settings_text({}) + "\n" + style->coeff_lines({});
-  for (const Fix *fix : plan.drags)
-    text += drag ? fmt::format("  fix {} {} {} {}\n", fix->id, group->names[fix->igroup],
-                               fix->style, SceneInstance::background_of(fix)->typed())
-                 : fmt::format("  # and no fix {}\n", fix->id);
+  std::string text =
+      Scene_NS::style_line(one.law, parts.pair->viscosity_word()) + Scene_NS::coeff_lines(one.law);
+  for (const Fix *fix : parts.drags)
+    text += one.drag ? fmt::format("  fix {} {} {} {}\n", fix->id, group->names[fix->igroup],
+                                   fix->style, SceneInstance::background_of(fix)->typed())
+                     : fmt::format("  # and no fix {}\n", fix->id);
   return text;
 }
 
@@ -213,26 +220,25 @@ std::string SuspensionScene::deck_lines_of(const PairLubcontact *style,
    suspension_scene measure N keyword values ...
 ------------------------------------------------------------------------- */
 
-void SuspensionScene::measure(int narg, char **arg)
+std::string SceneMeasurement::advice(int narg, char **arg)
 {
-  read_particles();
-  const Options options = parse_measure(narg, arg);
-  const SceneInstance::Plan plan = SceneInstance::plan(lmp);
-  check_laws(options, plan.pair);
+  const Options options = parse(narg, arg);
+  const Parts parts = SceneInstance::parts_of(lmp);
+  check_laws(options, parts.pair->law());
   std::string text;
   try {
-    text = leave_out_in_turn(plan, options);
+    text = leave_out_in_turn(parts, options);
   } catch (LAMMPSAbortException &e) {
     error->one(FLERR, "Suspension_scene measure, in its copy: {}", utils::trim(e.what()));
   } catch (LAMMPSException &e) {
     error->all(FLERR, "Suspension_scene measure, in its copy: {}", utils::trim(e.what()));
   }
-  if (comm->me == 0) utils::logmesg(lmp, text);
+  return text;
 }
 
 /* ---------------------------------------------------------------------- */
 
-SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) const
+SceneMeasurement::Options SceneMeasurement::parse(int narg, char **arg) const
 {
   Suspension_NS::require_words(FLERR, error, "suspension_scene", narg, "measure N ...");
   Options options;
@@ -245,9 +251,7 @@ SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) co
                "Suspension_scene measure takes a number of steps that is a multiple of {}, but not "
                "{}",
                BLOCKS, arg[1]);
-  options.all.radius = scene->radius;
-  PairLubcontact::Laws &laws = options.all.laws;
-  laws = {UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
+  Scene_NS::SurfaceLaws &laws = options.laws;
   const struct {
     const char *name, *usage;
     std::vector<double *> values;
@@ -286,90 +290,93 @@ SuspensionScene::Options SuspensionScene::parse_measure(int narg, char **arg) co
 
 /* ---------------------------------------------------------------------- */
 
-void SuspensionScene::check_laws(const Options &options, const PairLubcontact *style) const
+void SceneMeasurement::check_laws(const Options &options, const Lubcontact_NS::Law &law) const
 {
-  if (options.critical_word && std::isnan(options.all.laws.friction) && !style->uses("friction"))
+  if (options.critical_word && std::isnan(options.laws.friction) &&
+      !uses(law, Lubcontact_NS::FRICTION))
     error->all(FLERR, options.critical_word,
                "Suspension_scene measure critical cannot act without friction: give friction mu, "
                "too");
   if (!options.adhesion_word) return;
-  int dim;
-  const auto *const *roughness = static_cast<double **>(force->pair->extract("roughness", dim));
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++)
-      if (style->setflag[i][j] && roughness[i][j] == 0.0)
-        error->all(FLERR, options.adhesion_word,
-                   "Suspension_scene measure adhesion is of asperities, but types {} {} have none: "
-                   "give them a roughness > 0",
-                   i, j);
+  Scene_NS::each_pair(law, [&](int i, int j, const Lubcontact_NS::TypeCoeffs &c) {
+    if (c.roughness_a == 0.0)
+      error->all(FLERR, options.adhesion_word,
+                 "Suspension_scene measure adhesion is of asperities, but types {} {} have none: "
+                 "give them a roughness > 0",
+                 i, j);
+  });
 }
+
+/* ----------------------------------------------------------------------
+   what is other in a copy than with everything on, of what the flow does not hold
+------------------------------------------------------------------------- */
+
+struct SceneMeasurement::Comparison {
+  const Parts &parts;
+  const Measured &all;
+
+  std::array<Mean, 2> changes(const Measured &one) const
+  {
+    return {parts.holds_rate ? change(one.stress, all.stress)
+                             : change(one.viscosity, all.viscosity),
+            parts.holds_pressure ? change(one.phi, all.phi) : change(one.pressure, all.pressure)};
+  }
+  std::string row(const char *name, const Measured &one, const std::string &stress = "-",
+                  const std::string &power = "-") const
+  {
+    const auto by = changes(one);
+    return fmt::format(COLUMNS, name, stress, power, percent(by[0]), percent(by[1]),
+                       percent(1.0 - one.seconds / all.seconds));
+  }
+};
 
 /* ----------------------------------------------------------------------
    one line of the table per effect, then the advice
 ------------------------------------------------------------------------- */
 
-std::string SuspensionScene::leave_out_in_turn(const SceneInstance::Plan &plan,
-                                               const Options &options) const
+std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Options &options) const
 {
   const int nsteps = options.nsteps;
-  const Measured all = run_copy(plan, nsteps, options.all);
-  const bool as_deck = all.deck == deck_lines_of(plan.pair, plan, true);
-  std::string text = head_of(plan, all, nsteps, as_deck);
+  const double a = Suspension_NS::measure_particles(lmp).mean;
+  const Case deck{parts.pair->law()};
+  const Case everything{Scene_NS::switched_on(deck.law, options.laws, a)};
+  const bool as_deck = Scene_NS::same_law(everything.law, deck.law);
+  const Measured all = run_copy(parts, nsteps, everything);
+  std::string text = head_of(parts, all, nsteps, as_deck);
 
-  struct Changes {
-    Mean by[2];
-  };
-  auto changes = [&plan, &all](const Measured &one) {    // of what the flow does not hold
-    const Mean resistance = plan.holds_rate ? change(one.stress, all.stress)
-                                            : change(one.viscosity, all.viscosity);
-    return Changes{resistance,
-                   plan.holds_pressure ? change(one.phi, all.phi)
-                                       : change(one.pressure, all.pressure)};
-  };
-  auto row = [&](const char *name, const Measured &one, const std::string &stress,
-                 const std::string &power) {
-    const Changes c = changes(one);
-    text += fmt::format(COLUMNS, name, stress, power, percent(c.by[0]), percent(c.by[1]),
-                        percent(1.0 - one.seconds / all.seconds));
-  };
-  if (!as_deck) {
-    Effects deck;
-    deck.everything = false;
-    row("as the deck is", run_copy(plan, nsteps, deck), "-", "-");
-  }
-  Effects less = options.all;    // and less the idle ones
-  std::string undecided, missing, lines = all.deck;
-  for (const Row &effect : ROWS) {
-    const std::string name = effect.effect;
-    if (!contains(all.on, name)) {
-      missing += fmt::format("  {}: not measured; {}\n", name, effect.cure);
+  const Comparison compared{parts, all};
+  if (!as_deck) text += compared.row("as the deck is", run_copy(parts, nsteps, deck));
+
+  std::vector<Row> rows(std::begin(Lubcontact_NS::EFFECTS), std::end(Lubcontact_NS::EFFECTS));
+  rows.emplace_back();
+  Case less = everything;    // without all that are idle
+  int idle = 0;
+  std::string undecided, missing;
+  for (const Row &effect : rows) {
+    if (!effect.acts_in(everything, !parts.drags.empty())) {
+      missing += fmt::format("  {}: not measured; {}\n", effect.name, effect.cure);
       continue;
     }
     const std::string of_stress = percent(share(all.parts, effect.stress));
     const std::string of_power = percent(share(all.power, effect.power));
-    if (name == SceneInstance::DRAG && plan.overdamped) {
-      text += fmt::format(COLUMNS, name, of_stress, of_power, "-", "-", "-");
+    if (!effect.bit && parts.overdamped) {
+      text += fmt::format(COLUMNS, effect.name, of_stress, of_power, "-", "-", "-");
       missing += "  drag: cannot be left out where it moves the particles\n";
       continue;
     }
-    Effects without = options.all;
-    without.without = {name};
-    const Measured one = run_copy(plan, nsteps, without);
-    row(effect.effect, one, of_stress, of_power);
-    const Changes c = changes(one);
-    if (below(c.by, 1.0, options.limit)) {
-      less.without.push_back(name);
-      lines = one.deck;
-    } else if (below(c.by, -1.0, options.limit))
-      undecided += " " + name;
+    const Measured one = run_copy(parts, nsteps, effect.removed_from(everything));
+    text += compared.row(effect.name, one, of_stress, of_power);
+    const auto by = compared.changes(one);
+    if (below(by, 1.0, options.limit)) {
+      less = effect.removed_from(less);
+      idle++;
+    } else if (below(by, -1.0, options.limit))
+      undecided += std::string(" ") + effect.name;
   }
-  if (less.without.size() > 1) {
-    const Measured one = run_copy(plan, nsteps, less);
-    row("all of these", one, "-", "-");
-    lines = one.deck;
-  }
+  if (idle > 1) text += compared.row("all of these", run_copy(parts, nsteps, less));
   text += missing +
-      fmt::format("Deck lines to use: changes below {} left out\n", percent(options.limit)) + lines;
+      fmt::format("Deck lines to use: changes below {} left out\n", percent(options.limit)) +
+      deck_lines(parts, less);
   if (!undecided.empty())
     text += fmt::format("  # within its scatter undecided:{}; more steps or particles tell\n",
                         undecided);
@@ -383,8 +390,8 @@ std::string SuspensionScene::leave_out_in_turn(const SceneInstance::Plan &plan,
    what is compared with, and the head of the table
 ------------------------------------------------------------------------- */
 
-std::string SuspensionScene::head_of(const SceneInstance::Plan &plan, const Measured &all,
-                                     int nsteps, bool as_deck) const
+std::string SceneMeasurement::head_of(const Parts &parts, const Measured &all, int nsteps,
+                                      bool as_deck) const
 {
   const Mean stress = mean(all.stress), pressure = mean(all.pressure);
   const Mean viscosity = mean(all.viscosity), phi = mean(all.phi);
@@ -401,13 +408,13 @@ std::string SuspensionScene::head_of(const SceneInstance::Plan &plan, const Meas
                   "{:.4g} microseconds of CPU a step\n",
                   as_deck ? ", as the deck is" : "", stress.value, stress.error, pressure.value,
                   pressure.error, 1e6 * all.seconds);
-  if (!plan.holds_rate)
+  if (!parts.holds_rate)
     text += fmt::format("  the rate is not held: stress over rate {:.6g} +- {:.2g}\n",
                         viscosity.value, viscosity.error);
-  if (plan.holds_pressure)
+  if (parts.holds_pressure)
     text += fmt::format("  the volume is not held: phi {:.6g} +- {:.2g}\n", phi.value, phi.error);
   return text +
       fmt::format(COLUMNS, "left out", "of stress", "of power",
-                  plan.holds_rate ? "change of stress" : "of stress/rate",
-                  plan.holds_pressure ? "of phi" : "of pressure", "time saved");
+                  parts.holds_rate ? "change of stress" : "of stress/rate",
+                  parts.holds_pressure ? "of phi" : "of pressure", "time saved");
 }
