@@ -51,7 +51,7 @@ void PairLubcontact::tally_partition(int i, int j, const PairGeometry &geometry,
   const double weight = share(j);
   const Vec3 d = geometry.r * geometry.n;
   for (int m = 0; m < NUM_PARTS; m++) {
-    const Vec3 &f = force_of[m];
+    const Vec3 &f = force_of.of[m];
     const double product[NUM_COMPONENTS] = {d.x * f.x, d.y * f.y, d.z * f.z, d.x * f.y, d.x * f.z,
                                             d.y * f.z, d.y * f.x, d.z * f.x, d.z * f.y};
     if (partition_now)
