@@ -47,7 +47,7 @@ LUBCONTACT_FN inline PairStiffness pair_stiffness(double g, double kt, double sp
   // 2 (1 + 1/t) = q (2 (1 + t) + e), e = b^2 - b_i b_j with roll
   const bool of_i = qi * (1.0 + bi * bi) > qj * (1.0 + bj * bj);
   const double q = of_i ? qi : qj, b = of_i ? bi : bj;
-  const double e = roll ? larger(0.0, b * b - both) : 0.0;
+  const double e = roll ? larger(b * b - both, 0.0) : 0.0;
   const double B = q * (2.0 + e) - 2.0;
   const double t = (std::sqrt(B * B + 16.0 * q) - B) / (4.0 * q);
 
