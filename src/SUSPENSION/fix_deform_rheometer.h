@@ -74,6 +74,15 @@ class FixDeformRheometer : public FixDeform {
   Imposed imposed() const;
   std::string settings_text() const;
   const Rheometer_NS::StrainMeans &means() const { return *averages; }
+  double strain_path() const { return path; }    // sum of |strain|
+
+  // f_ID[1] and so on: see the manual; then the means
+  // clang-format off
+  struct Output {
+    enum { STRAIN, RATE, PHI, PRESSURE, STRESS, PRESSURE_TARGET, TARGET, DILATION, PATH, STATE,
+           MEANS };
+  };
+  // clang-format on
 
  protected:
   FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);

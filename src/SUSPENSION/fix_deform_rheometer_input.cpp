@@ -28,7 +28,6 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr int VECTOR_SIZE = 10 + Rheometer_NS::MEAN_OUTPUTS;
 static constexpr int EVERY = 8;    // steps: far below the lag of the servos
 
 /* ----------------------------------------------------------------------
@@ -85,7 +84,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
 {
   Suspension_NS::require_spheres(lmp, "Fix deform/rheometer");
   vector_flag = 1;
-  size_vector = VECTOR_SIZE;
+  size_vector = Output::MEANS + Rheometer_NS::MEAN_OUTPUTS;
   extvector = 0;
   global_freq = 1;
   nevery = EVERY;

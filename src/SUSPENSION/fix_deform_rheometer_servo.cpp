@@ -254,25 +254,33 @@ void FixDeformRheometer::judge_stress()
   warned = true;
 }
 
-/* ----------------------------------------------------------------------
-   strain, rate, volume fraction, pressure, driving stress, both targets, dilation, path, state; then
-   means
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 double FixDeformRheometer::compute_vector(int n)
 {
-  const double size = Suspension_NS::cell_volume(domain);
-  const double values[] = {strain,
-                           rate,
-                           particles[0] / size,
-                           measured_pressure,
-                           measured_stress,
-                           confinement == VOLUME ? 0.0 : pressure.value,
-                           driven.value,
-                           dilation,
-                           path,
-                           static_cast<double>(state)};
-  const int size_now = sizeof(values) / sizeof(double);
-  if (n < size_now) return values[n];
-  return Rheometer_NS::mean_output(*averages, n - size_now, measured_pressure, measured_stress);
+  switch (n) {
+    case Output::STRAIN:
+      return strain;
+    case Output::RATE:
+      return rate;
+    case Output::PHI:
+      return particles[0] / Suspension_NS::cell_volume(domain);
+    case Output::PRESSURE:
+      return measured_pressure;
+    case Output::STRESS:
+      return measured_stress;
+    case Output::PRESSURE_TARGET:
+      return confinement == VOLUME ? 0.0 : pressure.value;
+    case Output::TARGET:
+      return driven.value;
+    case Output::DILATION:
+      return dilation;
+    case Output::PATH:
+      return path;
+    case Output::STATE:
+      return state;
+    default:
+      return Rheometer_NS::mean_output(*averages, n - Output::MEANS, measured_pressure,
+                                       measured_stress);
+  }
 }

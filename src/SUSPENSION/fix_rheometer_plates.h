@@ -57,6 +57,14 @@ class FixRheometerPlates : public Fix {
   void restart(char *) override;
   void measure_surfaces(double &, double &) const;    // mean heights, lower and upper
   int plate_bits() const { return bit[0] | bit[1]; }
+
+  // of the last step: gap (0: not yet known) and velocity of the upper plate along x, shear rate,
+  // volume fraction of the particles between the plates (0: not yet known)
+  double gap() const { return state.gap; }
+  double velocity() const { return state.vx; }
+  double rate() const { return state.rate; }
+  double phi() const;
+  double imposed_pressure() const;    // 0 if there is none
   const Rheometer_NS::StrainMeans &means() const { return state.means; }
 
  protected:
@@ -65,6 +73,14 @@ class FixRheometerPlates : public Fix {
   static constexpr const char *DRIVE_NAME[] = {"rate", "velocity", "stress", "oscillate", "iv"};
   static constexpr const char *LOAD_NAME[] = {"gap", "pressure", "load"};
   static constexpr const char *PLATE_NAME[] = {"lower", "upper"};
+
+  // f_ID[1] and so on: see the manual; then the means
+  // clang-format off
+  struct Output {
+    enum { STRAIN, RATE, GAP, VX, VY, PHI, LOWER_PRESSURE, UPPER_PRESSURE, LOWER_XY, UPPER_XY,
+           LOWER_ZY, UPPER_ZY, TARGET_X, TARGET_Y, CODE_X, CODE_Y, MEANS };
+  };
+  // clang-format on
 
   // settings
   std::string plate_name[2];      // groups of the lower and upper one

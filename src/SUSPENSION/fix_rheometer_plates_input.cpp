@@ -66,7 +66,7 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
   dynamic_group_allow = 1;
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 16 + Rheometer_NS::MEAN_OUTPUTS;
+  size_vector = Output::MEANS + Rheometer_NS::MEAN_OUTPUTS;
   global_freq = 1;
   extvector = 0;
 }

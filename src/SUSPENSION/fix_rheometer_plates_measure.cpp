@@ -189,30 +189,58 @@ void FixRheometerPlates::watch_targets(double dt)
 
 /* ---------------------------------------------------------------------- */
 
+double FixRheometerPlates::phi() const
+{
+  return state.gap > 0.0 ? state.solid / (area() * state.gap) : 0.0;
+}
+
+double FixRheometerPlates::imposed_pressure() const
+{
+  return load == GAP ? 0.0 : target_y.value;
+}
+
+/* ---------------------------------------------------------------------- */
+
 double FixRheometerPlates::compute_vector(int n)
 {
   const double unit = force->nktv2p;
-  const double phi = state.gap > 0.0 ? state.solid / (area() * state.gap) : 0.0;
   const Rheometer_NS::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
-  const double values[] = {state.strain,
-                           state.rate,
-                           state.gap,
-                           state.vx,
-                           state.vy,
-                           phi,
-                           low.pressure * unit,
-                           up.pressure * unit,
-                           low.xy * unit,
-                           up.xy * unit,
-                           low.zy * unit,
-                           up.zy * unit,
-                           target_x.value,
-                           load == GAP ? 0.0 : target_y.value,
-                           state.code_x,
-                           state.code_y};
-  const int now = sizeof(values) / sizeof(double);
-  if (n < now) return values[n];
-  const double mean = Rheometer_NS::mean_output(
-      state.means, n - now, 0.5 * (low.pressure + up.pressure), 0.5 * (low.xy + up.xy));
-  return n - now == Rheometer_NS::MEAN_OUTPUTS - 1 ? mean : mean * unit;
+  switch (n) {
+    case Output::STRAIN:
+      return state.strain;
+    case Output::RATE:
+      return state.rate;
+    case Output::GAP:
+      return state.gap;
+    case Output::VX:
+      return state.vx;
+    case Output::VY:
+      return state.vy;
+    case Output::PHI:
+      return phi();
+    case Output::LOWER_PRESSURE:
+      return low.pressure * unit;
+    case Output::UPPER_PRESSURE:
+      return up.pressure * unit;
+    case Output::LOWER_XY:
+      return low.xy * unit;
+    case Output::UPPER_XY:
+      return up.xy * unit;
+    case Output::LOWER_ZY:
+      return low.zy * unit;
+    case Output::UPPER_ZY:
+      return up.zy * unit;
+    case Output::TARGET_X:
+      return target_x.value;
+    case Output::TARGET_Y:
+      return imposed_pressure();
+    case Output::CODE_X:
+      return state.code_x;
+    case Output::CODE_Y:
+      return state.code_y;
+  }
+  const int m = n - Output::MEANS;
+  const double mean = Rheometer_NS::mean_output(state.means, m, 0.5 * (low.pressure + up.pressure),
+                                                0.5 * (low.xy + up.xy));
+  return m == Rheometer_NS::MEAN_OUTPUTS - 1 ? mean : mean * unit;
 }

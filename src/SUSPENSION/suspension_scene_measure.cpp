@@ -17,7 +17,7 @@
 #include "comm.h"
 #include "error.h"
 #include "exceptions.h"
-#include "fix.h"
+#include "fix_deform_rheometer.h"
 #include "force.h"
 #include "group.h"
 #include "lubcontact_channels.h"
@@ -40,7 +40,6 @@ using Effects = SceneInstance::Effects;
 
 static constexpr int BLOCKS = 10;    // of a run; the second half counts
 static constexpr int COUNTED = 5;
-static constexpr int PATH = 8;    // sum of |strain| in the output of fix deform/rheometer
 static constexpr char COLUMNS[] = "  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n";
 
 // where an effect shows: rows of compute stress/partition and of compute power/partition; and what
@@ -172,8 +171,10 @@ SuspensionScene::Measured SuspensionScene::run_copy(const SceneInstance::Plan &p
   result.history_kept = copy.history_kept;
   result.strain = fabs(plan.rate) * nsteps * update->dt;
   if (plan.rate == 0.0) {
-    Fix *flow = copy.lmp->modify->get_fix_by_id(plan.flow->id);
-    result.strain = flow->compute_vector(PATH) - plan.flow->compute_vector(PATH);
+    auto path = [](Fix *flow) {
+      return dynamic_cast<FixDeformRheometer *>(flow)->strain_path();
+    };
+    result.strain = path(copy.lmp->modify->get_fix_by_id(plan.flow->id)) - path(plan.flow);
   }
   const double mine = copy.lmp->timer->get_cpu(Timer::TOTAL) / nsteps;
   MPI_Allreduce(&mine, &result.seconds, 1, MPI_DOUBLE, MPI_MAX, world);
