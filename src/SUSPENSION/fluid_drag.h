@@ -12,15 +12,18 @@
 // law over the diameter, M. Trulsson, B. Andreotti, P. Claudin, Phys. Rev. Lett. 109, 118305
 // (2012).
 
-#ifndef LUBCONTACT_DRAG_H
-#define LUBCONTACT_DRAG_H
+#ifndef LMP_FLUID_DRAG_H
+#define LMP_FLUID_DRAG_H
 
 #include "lubcontact_defs.h"
 #include "lubcontact_vec3.h"
 
 #include <cmath>
 
-namespace LAMMPS_NS::Lubcontact_NS {
+namespace LAMMPS_NS::Fluid_NS {
+
+using Lubcontact_NS::PI;
+using Lubcontact_NS::Vec3;
 
 enum class Shape { SPHERE, DISC };
 
@@ -74,11 +77,17 @@ LUBCONTACT_FN inline double overdamped_step_limit(double stiffness, double coeff
   return coefficient / stiffness;
 }
 
+// Factor of the drag at a volume fraction phi: the mean pressure gradient adds phi/(1 - phi) of it.
+inline double mean_hindrance(double phi)
+{
+  return 1.0 / (1.0 - phi);
+}
+
 // How much more easily a force at the surface turns a particle than it moves it: R^2/rotation over
 // 1/translation, for both shapes. A sliding spring kt weighs kt (1 + 3/4), see
 // lubcontact_stiffness.h.
 static constexpr double SPIN_OF_DRAG = 0.75;
 
-}    // namespace LAMMPS_NS::Lubcontact_NS
+}    // namespace LAMMPS_NS::Fluid_NS
 
 #endif

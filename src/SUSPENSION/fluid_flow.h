@@ -9,13 +9,15 @@
 
 // Background flows towards which particles are dragged: velocity and spin, half of the vorticity.
 
-#ifndef LUBCONTACT_BACKGROUND_H
-#define LUBCONTACT_BACKGROUND_H
+#ifndef LMP_FLUID_FLOW_H
+#define LMP_FLUID_FLOW_H
 
 #include "lubcontact_defs.h"
 #include "lubcontact_vec3.h"
 
-namespace LAMMPS_NS::Lubcontact_NS {
+namespace LAMMPS_NS::Fluid_NS {
+
+using Lubcontact_NS::Vec3;
 
 struct Flow {
   Vec3 velocity;
@@ -72,6 +74,6 @@ LUBCONTACT_FN inline Flow cell_flow(const double *rate, const double *inverse, c
   return {v + low_rate, {-0.5 * yz, 0.5 * xz, -0.5 * xy}};
 }
 
-}    // namespace LAMMPS_NS::Lubcontact_NS
+}    // namespace LAMMPS_NS::Fluid_NS
 
 #endif
