@@ -56,7 +56,7 @@ void FixDeformRheometer::write_restart(FILE *fp)
 
 void FixDeformRheometer::restart(char *buffer)
 {
-  Saved from;
+  Saved from{};
   if (const char *wrong = Suspension_NS::read_sealed(buffer, from))
     error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
   if (from.flow != flow)

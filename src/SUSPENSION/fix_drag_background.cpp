@@ -196,7 +196,7 @@ void FixDragBackground::write_restart(FILE *fp)
 
 void FixDragBackground::restart(char *buffer)
 {
-  Saved from;
+  Saved from{};
   check_restart(Suspension_NS::read_sealed(buffer, from));
   energy = comm->me ? 0.0 : from.energy;
   fluid->keep(from.kept);
