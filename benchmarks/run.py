@@ -3,10 +3,12 @@
 usage: tools/python.sh benchmarks/run.py [--quick] [--ranks N] [--instructions] [-o results.json]
 
 Every variant of in.speed runs once, then all of them again, and so on: what else the machine does
-spreads over all of them. Times are CPU times; the best repetition counts. See README.md.
+spreads over all of them. Times are CPU times; the best repetition counts. Writes run.csv and
+figure.png, with --quick to the build folder. See README.md.
 """
 
 import argparse
+import csv
 import json
 import os
 import platform
@@ -31,6 +33,10 @@ LABEL = {"all": "all effects", "no_squeeze": "without squeeze", "no_shear": "wit
 NUM_PAIRS = 4096    # of kernel.cpp
 USUAL_STEP = 2e-4   # which users take; the overlay is not stable there, so that the table is made at a tenth of it
 SECTIONS = ["Pair", "Neigh", "Comm", "Modify", "Output", "Other"]
+# run.csv: million particle-steps/s (speed) and ns a particle-step (step), ns a pair and so on, as the columns of the table
+DIGITS = {"speed": ".2f", "speed_usual": ".2f", "step": ".0f", "step_median": ".0f", "pairs": ".2f", "pair": ".0f",
+          "pair_median": ".0f", "pair_over_gran": ".2f", "speed_over_gran": ".2f", "speed_over_overlay": ".2f",
+          "bytes": ".0f", "history": "d", "kernel": ".0f", "instructions": ".0f"}
 
 
 def build_folder():
@@ -176,7 +182,17 @@ def summarize(runs, usual, kernel, instructions):
         row["pair_over_gran"] = row["pair"] / by_name["gran"]["pair"]
         row["speed_over_gran"] = by_name["gran"]["step"] / row["step"]
         row["speed_over_overlay"] = by_name["overlay"]["step"] / row["step"]
+        row["speed"] = 1e3 / row["step"]
+        row["speed_usual"] = 1e3 / row["step_usual"] if row["step_usual"] else None
     return rows
+
+
+def write_table(rows, name):
+    with open(name, "w", newline="", encoding="ascii") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["name", *DIGITS])
+        for row in rows:
+            writer.writerow([row["name"], *("" if row[key] is None else format(row[key], form) for key, form in DIGITS.items())])
 
 
 def table(rows):
@@ -188,8 +204,7 @@ def table(rows):
              "| speed / gran | speed / overlay | bytes per particle | history bytes per pair "
              "| kernel, ns per pair | instructions |", "|---" + "|---:" * 12 + "|"]
     for row in rows:
-        at_usual = row["step_usual"] and 1e3 / row["step_usual"]
-        lines.append(f"| {LABEL[row['name']]} | {1e3 / row['step']:.2f} | {optional(at_usual, '.2f')} "
+        lines.append(f"| {LABEL[row['name']]} | {row['speed']:.2f} | {optional(row['speed_usual'], '.2f')} "
                      f"| {row['step']:.0f} ({row['step_median']:.0f}) | {row['pairs']:.2f} "
                      f"| {row['pair']:.0f} ({row['pair_median']:.0f}) | {row['pair_over_gran']:.2f} "
                      f"| {row['speed_over_gran']:.2f} | {row['speed_over_overlay']:.2f} "
@@ -247,7 +262,9 @@ def main():
 
     print(f"{particles} particles, {steps} steps, {repetitions} repetitions, {args.ranks} rank(s)\n")
     print(table(rows))
-    draw(rows, args.figure or (build if args.quick else HERE) / "figure.png")
+    folder = build if args.quick else HERE
+    write_table(rows, folder / "run.csv")
+    draw(rows, args.figure or folder / "figure.png")
     if args.output:
         results = {"about": about, "rows": rows, "runs": runs, "usual": usual, "kernel": kernel}
         Path(args.output).write_text(json.dumps(results, indent=1))

@@ -1,11 +1,10 @@
-/* ----------------------------------------------------------------------
-   SUSPENSION - dense suspensions with lubricated contacts, for LAMMPS
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
 
-   This file is part of SUSPENSION. SUSPENSION is free software: you can
-   redistribute it and/or modify it under the terms of the GNU General
-   Public License version 2 as published by the Free Software Foundation.
-
-   It is distributed without any warranty; see the file LICENSE.
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
 // Entry point of the plugin: LAMMPS calls lammpsplugin_init() when it loads suspensionplugin.so.
@@ -22,7 +21,9 @@
 #include "fix_rheometer_plates.h"
 #include "pair_lubcontact.h"
 #include "suspension_history.h"
+#ifdef SUSPENSION_ADVISER
 #include "suspension_scene.h"
+#endif
 
 #include "lammpsplugin.h"
 #include "library.h"
@@ -88,15 +89,16 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
 
   without_args("pair", "lubcontact", &create<Pair, PairLubcontact>);
   without_args("command", "suspension_history", &create<Command, SuspensionHistory>);
+#ifdef SUSPENSION_ADVISER
   without_args("command", "suspension_scene", &create<Command, SuspensionScene>);
+#endif
   with_args("compute", "microstructure", &create_with_args<Compute, ComputeMicrostructure>);
   with_args("compute", "power/partition", &create_with_args<Compute, ComputePowerPartition>);
   with_args("compute", "stress/partition", &create_with_args<Compute, ComputeStressPartition>);
   with_args("compute", "stress/partition/atom",
             &create_with_args<Compute, ComputeStressPartitionAtom>);
   with_args("fix", "NEIGH_HISTORY/LUBCONTACT", &create_with_args<Fix, FixNeighHistoryLubcontact>);
-  with_args("fix", "NEIGH_HISTORY/LUBCONTACT/PLACE",
-            &create_with_args<Fix, FixNeighHistoryPlace>);
+  with_args("fix", "NEIGH_HISTORY/LUBCONTACT/PLACE", &create_with_args<Fix, FixNeighHistoryPlace>);
   with_args("fix", "deform/rheometer", &create_with_args<Fix, FixDeformRheometer>);
   with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
   with_args("fix", "overdamped/sphere", &create_with_args<Fix, FixOverdampedSphere>);

@@ -12,7 +12,7 @@ rm -f "$folder/finished"    # our sources change: always look again
   -D CMAKE_PROJECT_lammps_INCLUDE="$top/cmake/suspension_in_lammps.cmake" -D SUSPENSION_COMPILE_OPTIONS=-O0
 
 help=$(LAMMPS_PLUGIN_PATH='' "$folder/lmp" -h)
-grep -hE '^(Pair|Fix|Compute|Command)Style\(' "$top"/src/SUSPENSION/*.h | sed 's/.*(\(.*\),.*/\1/' | grep -v '^[A-Z]' | while read -r style; do
+grep -hE '^(Pair|Fix|Compute|Command)Style\(' "$top"/src/SUSPENSION*/*.h | sed 's/.*(\(.*\),.*/\1/' | grep -v '^[A-Z]' | while read -r style; do
   grep -qwF "$style" <<<"$help" || die "$folder/lmp does not know $style"
   echo "compiled in: $style"
 done

@@ -2,8 +2,8 @@
 
 usage: tools/python.sh benchmarks/accuracy_cost/pairs.py [-o FOLDER]      # 2 minutes
 
-Writes pairs.csv (all points, the failed ones with how), pairs_model.csv (distance to the exact hydrodynamics), pairs.png,
-and prints the orders of convergence and what an error costs. pairs.md says what is measured and how to read it.
+Writes pairs.csv (all points, the failed ones with how), pairs_model.csv (distance to the exact hydrodynamics),
+pairs_table.csv (for the manual), pairs.png, and prints the orders of convergence and what an error costs. pairs.md says what is measured and how to read it.
 """
 import argparse
 import csv
@@ -347,6 +347,39 @@ def summary(rows):
     return lines
 
 
+# (scene, setting) of the summary -> row of the table in the manual
+SHOWN = {("falling sphere", "smooth"): "falling sphere: smooth",
+         ("falling sphere", "rough"): "rough, rests on its asperities",
+         ("falling sphere", "crushed"): "rough, asperities crushed",
+         ("falling sphere", "g / 10"): "smooth, stiffness / 10",
+         ("falling sphere", "g x 10"): "smooth, stiffness x 10",
+         ("falling sphere", "St 30"): "smooth, St 30: oscillates",
+         ("pair in shear", "smooth"): "pair in shear: smooth",
+         ("pair in shear", "rough"): "rough, no friction",
+         ("pair in shear", "rough, friction"): "rough, friction 0.5",
+         ("pair in shear", "reach 4"): "cut 4",
+         ("pair in shear", "meets"): "comes into range during the run"}
+
+
+def table(lines):
+    """Rows of pairs_table.csv: the summary with few digits."""
+    def digits(x, form=".2g"):
+        return "none" if np.isnan(x) else f"{x:{form}}"
+
+    def order_of(line, scheme):
+        return "none" if scheme == "euler" and line["setting"] == "St 30" else digits(line[f"order_{scheme}"], ".2f")
+
+    rows = []
+    for line in lines:
+        row = {"case": SHOWN.get((line["scene"], line["setting"]), line["setting"])}
+        for what, value in (("order", order_of), ("error at the limit", lambda x, s: digits(x[f"at_limit_{s}"])),
+                            ("work for 1e-3", lambda x, s: digits(x[f"us_{s}"], ".0f")),
+                            ("first failure", lambda x, s: digits(x[f"fails_{s}"]))):
+            row.update({f"{what}, {scheme}": value(line, scheme) for scheme in SCHEMES})
+        rows.append(row)
+    return rows
+
+
 def measure(folder):
     ns = costs()
     rows = sweep(falling, ["smooth", "rough", "crushed"], FINE, COARSE)
@@ -372,6 +405,7 @@ def main():
     rows = read(arguments.output / "pairs.csv")
     lines = summary(rows)
     write(arguments.output / "pairs_summary.csv", lines)
+    write(arguments.output / "pairs_table.csv", table(lines))
     for line in lines:
         print("  ".join(f"{key} {value:.3g}" if isinstance(value, float) else str(value) for key, value in line.items()))
     import pairs_figure

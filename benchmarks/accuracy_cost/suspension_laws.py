@@ -1,7 +1,7 @@
 """What the runs of suspension.py say: laws of the errors, tables of the manual, and the figure.
 
 usage: tools/python.sh suspension_laws.py table | draw
-The laws are the constants of src/SUSPENSION/scene_accuracy.h.
+The laws are the constants of src/SUSPENSION-ADVISER/scene_accuracy.h.
 """
 import csv
 import math
@@ -82,7 +82,7 @@ def parts(rows, phi):
 
 
 def pressure(rows):
-    """Of the particles in the base case: the runs were told a stiffness, the adviser is told a pressure."""
+    """Of the particles in the base case: the runs were told a stiffness, suspension_scene is told a pressure."""
     return -np.mean([row["syy"] for row in of(rows, "strain", "base", "").values()])
 
 
@@ -170,8 +170,8 @@ def remark(runs):
     return "above the limit" if np.mean([row["step"] for row in runs]) > 1 else ""
 
 
-NAMES = {"base": "base", "time step": "time step over sqrt(m/g), 0.15 in the base", "stiffness": "stiffness, 1e6",
-         "Stokes number": "St, 0.5", "left out": "film left out", "range": "range, cut 0.5", "roughness": "roughness, 0.01",
+NAMES = {"base": "base", "time step": "time step over sqrt(m/g), 0.15", "stiffness": "stiffness, 1e6",
+         "Stokes number": "St, 0.5", "left out": "film switched off", "range": "range, cut 0.5", "roughness": "roughness, 0.01",
          "roll coefficient": "rolling coefficient, 0.6", "effective radius": "radius, harmonic",
          "gap euler, time step": "gap euler, time step", "particles, base": "N, 500", "particles": "N at stiffness 1e5, 500"}
 
@@ -187,7 +187,7 @@ def table(rows, lost):
     print("converged viscosity: {:.2f}, relative error {:.3f}".format(*converged(rows)))
     cost = np.mean([row["us"] for row in of(rows, "strain", "base", "").values()])
     sizes = size_changes(rows)
-    lines = ["what, base; value; dt/limit; eta_r; contacts; films; change in %; CPU in us; over the base; remark"]
+    lines = ["setting, base case; value; dt/limit; viscosity; contacts; films; change, %; CPU, us; over the base; remark"]
     seen = dict.fromkeys((row["set"], row["knob"], row["value"]) for row in rows if row["set"] in ("strain", "size"))
     order = list(NAMES)
 
@@ -204,7 +204,7 @@ def table(rows, lost):
     lines += [f"{NAMES[row['knob']]}; {row['value']}; {row['step']:.2g}; ; ; ; ; ; ; fails: {row['failed'].split(': ', 1)[-1].split(' at step')[0]}" for row in lost]
     (MANUAL / "accuracy_suspension.csv").write_text("\n".join(lines) + "\n", encoding="ascii")
     print("\n".join(lines))
-    lines = ["setting; phi; eta_r; CPU in us"]
+    lines = ["setting; volume fraction; viscosity; CPU, us"]
     for value in HELD:
         for row in of(rows, "pressure", "pressure 45", value).values():
             error = f" +- {row['phi_error']:.4f}" if row["phi_error"] == row["phi_error"] else ""
@@ -242,7 +242,7 @@ def draw_knobs(ax, rows):
                     lw=0.8, mfc="w" if hidden else color)
         ax.annotate(key[2], (us, y), fontsize=6.5, xytext=(4, 3) if n % 2 else (-16, 3), textcoords="offset points", color=color)
     for knob, (color, mark) in marks.items():
-        ax.plot([], [], mark, ms=4, color=color, label={"time step": "time step over sqrt(m/g)", "left out": "film left out",
+        ax.plot([], [], mark, ms=4, color=color, label={"time step": "time step over sqrt(m/g)", "left out": "film switched off",
                                                        "stiffness": "stiffness g"}.get(knob, knob))
     ax.plot([], [], "X", color="0.3", ms=4, label="fails: asperities crushed flat")
     ax.set(xscale="log", yscale="log", ylim=(5e-3, 20), ylabel=r"$|$change of $\eta_r|/\eta_r$ against the base (0.15, 1e6, 0.5)")

@@ -1,8 +1,8 @@
-"""What moves the viscosity: one knob at a time around a base case, with error bars.
+"""What moves the viscosity: one setting at a time around a base case, with error bars.
 
 usage: tools/python.sh study.py [--strain 6] [--particles 500] [--jobs 2]
 Runs in.shear_rate for each case (about 40 runs), appends to study.csv, skips the cases it
-already holds, and draws study.png.
+already holds, draws study.png, and writes the two tables of the manual, viscosity.csv and laws.csv.
 """
 import argparse
 import csv
@@ -55,6 +55,40 @@ def measure(knob, value, variables):
     return dict(zip(FIELDS, [knob, value] + [f"{x:.3f}" for x in numbers]))
 
 
+# knob of study.csv -> setting in viscosity.csv
+SETTING = {"base": "base case", "range": "range of the films", "roll coefficient": "rolling coefficient",
+           "modes off": "film switched off", "gap integrator": "integrator of the gap"}
+
+
+def pm(mean, error):
+    """Mean and standard error; the error has two digits, or one if these are 2.0 or more."""
+    digits = 0 if error >= 2 else 1 if error >= 0.2 else 2
+    return f"{mean:.{digits}f} +- {error:.{digits}f}"
+
+
+def write_tables(rows):
+    """viscosity.csv: every case at a volume fraction of 0.5; laws.csv: every volume fraction, with laws."""
+    seeds = np.array([float(r["eta_r"]) for r in rows if r["knob"] in ("base", "seed")])
+    base = pm(seeds.mean(), seeds.std(ddof=1) / np.sqrt(len(seeds)))
+    with (HERE / "viscosity.csv").open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["setting", "value", "relative viscosity", "of which contacts", "of which films"])
+        writer.writerow(["base case", f"mean of {len(seeds)} seeds", base, "", ""])
+        for r in rows:
+            if r["knob"] in ("seed", "volume fraction"):
+                continue
+            parts = (float(r["contact_n"]) + float(r["contact_t"]), float(r["film_n"]) + float(r["film_t"]))
+            writer.writerow([SETTING.get(r["knob"], r["knob"]), r["value"] or "one seed",
+                             pm(float(r["eta_r"]), float(r["error"])), *(f"{p:.1f}" for p in parts)])
+    with (HERE / "laws.csv").open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["volume fraction", "relative viscosity", "Chevremont et al. 2019", "Boyer et al. 2011"])
+        found = {float(r["value"]): pm(float(r["eta_r"]), float(r["error"]))
+                 for r in rows if r["knob"] == "volume fraction"}
+        for phi, eta in sorted({**found, 0.5: base}.items()):
+            writer.writerow([phi, eta, f"{rheology.eta_chevremont(phi):.1f}", f"{rheology.eta_boyer(phi):.1f}"])
+
+
 def draw(rows):
     knobs = [k for k in CASES if k not in ("base", "volume fraction")]
     base = next(r for r in rows if r["knob"] == "base")
@@ -99,8 +133,7 @@ def main():
                 writer.writeheader()
                 writer.writerows(rows)
     draw(rows)
-    for phi in (0.3, 0.4, 0.45, 0.5, 0.54):
-        print(f"phi {phi}: Chevremont 2019 {rheology.eta_chevremont(phi):.1f}, Boyer 2011 {rheology.eta_boyer(phi):.1f}")
+    write_tables(rows)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "compute_stress_partition.h"
 #include "domain.h"
 #include "error.h"
 #include "lubcontact_channels.h"
@@ -19,6 +18,7 @@
 #include "lubcontact_fabric.h"
 #include "lubcontact_orientation.h"
 #include "memory.h"
+#include "pair_lubcontact.h"
 #include "suspension_input.h"
 #include "update.h"
 
@@ -191,7 +191,7 @@ void ComputeMicrostructure::set_output()
 
 void ComputeMicrostructure::init()
 {
-  pairs = ComputeStressPartition::find_pairs(lmp, style);
+  pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -10,15 +10,16 @@
 #include "compute_power_partition.h"
 
 #include "atom.h"
-#include "compute_stress_partition.h"
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
+#include "lubcontact_tally.h"
 #include "memory.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
+#include "particle_inertia.h"
 #include "suspension_host.h"
 #include "uncounted_forces.h"
 #include "update.h"
@@ -27,9 +28,9 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr int NUM_ORIGINS = PairLubcontact::NUM_ORIGINS;
+using Lubcontact_NS::NUM_ORIGINS;
 static constexpr int DRAG = NUM_ORIGINS, KINETIC = DRAG + 1, NUM_ROWS = KINETIC + 1;
-static constexpr int NUM_COMPONENTS = PairLubcontact::NUM_COMPONENTS;
+static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 
 /* ---------------------------------------------------------------------- */
 
@@ -61,7 +62,7 @@ ComputePowerPartition::~ComputePowerPartition()
 
 void ComputePowerPartition::init()
 {
-  pairs = ComputeStressPartition::find_pairs(lmp, style);
+  pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
   drags.clear();
   for (const char *name : {"^drag/background", "^overdamped/sphere"})
@@ -74,7 +75,7 @@ void ComputePowerPartition::init()
 void ComputePowerPartition::require_tally() const
 {
   for (const auto &pair : pairs)
-    if (pair->power_step != update->ntimestep)
+    if (!pair->tally().has_power())
       error->all(
           FLERR,
           "Power by origin was not tallied in step {}: use compute power/partition where its "
@@ -98,17 +99,17 @@ void ComputePowerPartition::compute_array()
   } mine, all;
   for (const auto &pair : pairs)
     for (int m = 0; m < NUM_ORIGINS; m++) {
-      mine.row[m][0] += pair->heat[m] / update->dt;
-      mine.row[m][1] += pair->stored[m];
+      mine.row[m][0] += pair->tally().heat().of[m] / update->dt;
+      mine.row[m][1] += pair->tally().stored().of[m];
     }
   mine.row[KINETIC][1] = spin_energy();
-  mine.inertia = ComputeStressPartition::measure_inertia(lmp);
+  mine.inertia = Suspension_NS::measure_inertia(lmp);
   MPI_Allreduce(mine.row[0], all.row[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 
   std::copy_n(all.row[0], 2 * NUM_ROWS, array[0]);
   const Lubcontact_NS::Fluctuation f = Lubcontact_NS::fluctuation(all.inertia);
   array[KINETIC][1] += 0.5 * force->mvv2e * (f.xx + f.yy + f.zz);
-  if (pairs.front()->power_of_step)
+  if (pairs.front()->tally().power_of_step())
     for (auto &fix : drags) array[DRAG][0] += fix->compute_vector(fix->size_vector - 1);
 }
 
@@ -145,9 +146,9 @@ double ComputePowerPartition::compute_scalar()
     Lubcontact_NS::Inertia inertia;
   } mine, all;
   for (const auto &pair : pairs)
-    for (const auto &part : pair->partition)
+    for (const auto &part : pair->tally().stress())
       for (int n = 0; n < NUM_COMPONENTS; n++) mine.pairs[n] += part[n];
-  mine.inertia = ComputeStressPartition::measure_inertia(lmp);
+  mine.inertia = Suspension_NS::measure_inertia(lmp);
   MPI_Allreduce(mine.pairs, all.pairs, sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 
   const Lubcontact_NS::Fluctuation f = Lubcontact_NS::fluctuation(all.inertia);

@@ -14,16 +14,19 @@
 #include "error.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
+#include "lubcontact_tally.h"
 #include "memory.h"
 #include "pair_lubcontact.h"
+#include "particle_inertia.h"
 #include "suspension_host.h"
 #include "uncounted_forces.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 
-static constexpr int NUM_PARTS = PairLubcontact::NUM_PARTS;
-static constexpr int NUM_COMPONENTS = PairLubcontact::NUM_COMPONENTS;
+using Lubcontact_NS::NUM_CHANNELS;
+static constexpr int NUM_ROWS = Lubcontact_NS::NUM_STRESS_ROWS;
+static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 
 /* ---------------------------------------------------------------------- */
 
@@ -56,22 +59,8 @@ ComputeStressPartition::~ComputeStressPartition()
 
 void ComputeStressPartition::init()
 {
-  pairs = find_pairs(lmp, style);
+  pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
-}
-
-/* ----------------------------------------------------------------------
-   the pair style, or every sub-style of its kind
-------------------------------------------------------------------------- */
-
-std::vector<PairLubcontact *> ComputeStressPartition::find_pairs(LAMMPS *lmp, const char *style)
-{
-  auto found = PairLubcontact::all(lmp);
-  if (found.empty())
-    lmp->error->all(FLERR,
-                    "Compute {} splits the forces of pair_style lubcontact, which is not defined",
-                    style);
-  return found;
 }
 
 /* ----------------------------------------------------------------------
@@ -89,52 +78,26 @@ void ComputeStressPartition::compute_array()
   } mine, all;
   static_assert(sizeof(Sums) % sizeof(double) == 0, "doubles only");
   for (const auto &pair : pairs) {
-    if (pair->partition_step != update->ntimestep)
+    if (!pair->tally().has_stress())
       error->all(FLERR,
                  "Stress by origin was not tallied in step {}: use compute stress/partition where "
                  "its steps are known in advance (thermo, fix ave, dump, every-type variables)",
                  update->ntimestep);
-    for (int m = 0; m < NUM_PARTS; m++)
-      for (int n = 0; n < NUM_COMPONENTS; n++) mine.row[row_of(m)][n] += pair->partition[m][n];
+    for (int m = 0; m < NUM_CHANNELS; m++)
+      for (int n = 0; n < NUM_COMPONENTS; n++)
+        mine.row[Lubcontact_NS::stress_row(m)][n] += pair->tally().stress()[m][n];
   }
-  mine.inertia = measure_inertia(lmp);
+  mine.inertia = Suspension_NS::measure_inertia(lmp);
   MPI_Allreduce(mine.row[0], all.row[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 
   const Lubcontact_NS::Fluctuation f = Lubcontact_NS::fluctuation(all.inertia);
   const double inertial[NUM_COMPONENTS] = {f.xx, f.yy, f.zz, f.xy, f.xz, f.yz, f.xy, f.xz, f.yz};
-  for (int n = 0; n < NUM_COMPONENTS; n++) all.row[INERTIA][n] = force->mvv2e * inertial[n];
+  for (int n = 0; n < NUM_COMPONENTS; n++)
+    all.row[Lubcontact_NS::INERTIA_ROW][n] = force->mvv2e * inertial[n];
 
   const double volume = Suspension_NS::cell_volume(domain);
   for (int m = 0; m < NUM_ROWS; m++)
     for (int n = 0; n < NUM_COMPONENTS; n++) array[m][n] = -force->nktv2p / volume * all.row[m][n];
-}
-
-/* ----------------------------------------------------------------------
-   velocity of atom i relative to that of the deforming cell
-------------------------------------------------------------------------- */
-
-Lubcontact_NS::Vec3 ComputeStressPartition::relative_velocity(LAMMPS *lmp, int i)
-{
-  const double *v = lmp->atom->v[i];
-  const auto flow = Suspension_NS::cell_velocity(lmp->domain, lmp->atom->x[i]);
-  return {v[0] - flow[0], v[1] - flow[1], v[2] - flow[2]};
-}
-
-/* ----------------------------------------------------------------------
-   of all atoms of this rank but those of fix overdamped/sphere, which have no inertia
-------------------------------------------------------------------------- */
-
-Lubcontact_NS::Inertia ComputeStressPartition::measure_inertia(LAMMPS *lmp)
-{
-  const Atom *atom = lmp->atom;
-  const int massless = Suspension_NS::groups_without_inertia(lmp);
-  Lubcontact_NS::Inertia sum;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (atom->mask[i] & massless) continue;
-    const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
-    sum.add(m, relative_velocity(lmp, i));
-  }
-  return sum;
 }
 
 /* ---------------------------------------------------------------------- */

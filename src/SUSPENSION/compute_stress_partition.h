@@ -20,11 +20,6 @@ ComputeStyle(stress/partition,ComputeStressPartition);
 
 #include <vector>
 
-namespace LAMMPS_NS::Lubcontact_NS {
-struct Inertia;
-struct Vec3;
-}    // namespace LAMMPS_NS::Lubcontact_NS
-
 namespace LAMMPS_NS {
 
 class ComputeStressPartition : public Compute {
@@ -34,15 +29,6 @@ class ComputeStressPartition : public Compute {
   void init() override;
   void compute_array() override;
   double memory_usage() override;
-
-  // rows: contact and lubrication, normal and tangential; inertia; repulsion
-  static constexpr int INERTIA = 4, NUM_ROWS = 6;
-  static constexpr int row_of(int part) { return part < INERTIA ? part : part + 1; }
-
-  // shared with compute stress/partition/atom
-  static std::vector<class PairLubcontact *> find_pairs(LAMMPS *, const char *);
-  static Lubcontact_NS::Vec3 relative_velocity(LAMMPS *, int);
-  static Lubcontact_NS::Inertia measure_inertia(LAMMPS *);    // of this rank
 
  protected:
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid

@@ -11,12 +11,13 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "compute_stress_partition.h"
 #include "error.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
+#include "lubcontact_tally.h"
 #include "memory.h"
 #include "pair_lubcontact.h"
+#include "particle_inertia.h"
 #include "suspension_host.h"
 #include "uncounted_forces.h"
 #include "update.h"
@@ -25,9 +26,9 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr int NUM_COMPONENTS = PairLubcontact::NUM_COMPONENTS;
-static constexpr int NUM_PARTS = PairLubcontact::NUM_PARTS;
-static constexpr int NUM_ROWS = ComputeStressPartition::NUM_ROWS;    // one after the other
+static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
+using Lubcontact_NS::NUM_CHANNELS;
+static constexpr int NUM_ROWS = Lubcontact_NS::NUM_STRESS_ROWS;    // one after the other
 static constexpr int COLUMNS = NUM_ROWS * NUM_COMPONENTS;
 
 /* ---------------------------------------------------------------------- */
@@ -56,7 +57,7 @@ ComputeStressPartitionAtom::~ComputeStressPartitionAtom()
 
 void ComputeStressPartitionAtom::init()
 {
-  pairs = ComputeStressPartition::find_pairs(lmp, style);
+  pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
 }
 
@@ -79,14 +80,14 @@ void ComputeStressPartitionAtom::compute_peratom()
   const Lubcontact_NS::Vec3 drift = find_drift();
   for (int i = 0; i < atom->nlocal; i++) {
     double *parts = array_atom[i];
-    double *inertial = parts + ComputeStressPartition::INERTIA * NUM_COMPONENTS;
+    double *inertial = parts + Lubcontact_NS::INERTIA_ROW * NUM_COMPONENTS;
     if (!(atom->mask[i] & groupbit)) {
       std::fill_n(parts, COLUMNS, 0.0);
       continue;
     }
     if (!(atom->mask[i] & massless)) {
       const double m = force->mvv2e * (atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]]);
-      const Lubcontact_NS::Vec3 v = ComputeStressPartition::relative_velocity(lmp, i) - drift;
+      const Lubcontact_NS::Vec3 v = Suspension_NS::relative_velocity(lmp, i) - drift;
       const double xy = m * v.x * v.y, xz = m * v.x * v.z, yz = m * v.y * v.z;
       const double product[] = {
           m * v.x * v.x, m * v.y * v.y, m * v.z * v.z, xy, xz, yz, xy, xz, yz};
@@ -102,7 +103,7 @@ void ComputeStressPartitionAtom::compute_peratom()
 
 Lubcontact_NS::Vec3 ComputeStressPartitionAtom::find_drift() const
 {
-  const Lubcontact_NS::Inertia mine = ComputeStressPartition::measure_inertia(lmp);
+  const Lubcontact_NS::Inertia mine = Suspension_NS::measure_inertia(lmp);
   Lubcontact_NS::Inertia all;
   MPI_Allreduce(mine.sum, all.sum, Lubcontact_NS::Inertia::SIZE, MPI_DOUBLE, MPI_SUM, world);
   return all.drift();
@@ -114,19 +115,19 @@ Lubcontact_NS::Vec3 ComputeStressPartitionAtom::find_drift() const
 
 void ComputeStressPartitionAtom::collect_parts()
 {
-  const std::size_t nall = atom->nlocal + atom->nghost;
-  for (std::size_t i = 0; i < nall; i++) std::fill_n(array_atom[i], COLUMNS, 0.0);
+  const int nall = atom->nlocal + atom->nghost;
+  for (int i = 0; i < nall; i++) std::fill_n(array_atom[i], COLUMNS, 0.0);
   for (const auto &pair : pairs) {
-    if (pair->partition_atom_step != update->ntimestep || pair->partition_atom.size() != nall)
+    if (!pair->tally().has_atoms())
       error->all(FLERR,
                  "Stress by origin per atom was not tallied in step {}: use compute "
                  "stress/partition/atom where its steps are known in advance (thermo, fix ave, "
                  "dump, every-type variables)",
                  update->ntimestep);
-    for (std::size_t i = 0; i < nall; i++)
-      for (int m = 0; m < NUM_PARTS; m++) {
-        const double *part = &pair->partition_atom[i][m * NUM_COMPONENTS];
-        double *sum = array_atom[i] + ComputeStressPartition::row_of(m) * NUM_COMPONENTS;
+    for (int i = 0; i < nall; i++)
+      for (int m = 0; m < NUM_CHANNELS; m++) {
+        const auto &part = pair->tally().stress_of_atom(i)[m];
+        double *sum = array_atom[i] + Lubcontact_NS::stress_row(m) * NUM_COMPONENTS;
         for (int n = 0; n < NUM_COMPONENTS; n++) sum[n] += part[n];
       }
   }

@@ -129,7 +129,7 @@ void FixOverdampedSphere::find_limit()
   limit = HUGE_VAL;
   std::vector<double> stiffness(atom->nlocal, 0.0), part;
   for (PairLubcontact *pair : PairLubcontact::all(lmp)) {
-    pair->sum_stiffness_overdamped(Lubcontact_NS::SPIN_OF_DRAG, part);
+    pair->sum_stiffness(Lubcontact_NS::SPIN_OF_DRAG, part);
     for (int i = 0; i < atom->nlocal; i++) stiffness[i] += part[i];
   }
   double mine = HUGE_VAL;

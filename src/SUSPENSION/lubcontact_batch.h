@@ -28,7 +28,8 @@ struct Batch {
   Lanes least, shift, per_ramp;      // THRESHOLD
   Lanes release_a, ln_release;       // ADHESION
   Lanes repulsion, per_screening;    // REPULSION
-  Lanes history[HISTORY];            // in and out
+  Lanes column[NUM_LAW_COLUMNS + 1];
+  Lanes history[HISTORY];    // in and out
 
   // out; all void in a lane that is not usual (0)
   Lanes usual, force[3], torque_i[3], torque_j[3];
@@ -46,6 +47,17 @@ inline Batch idle_batch()
     b.per_screening[l] = 1.0;
   }
   return b;
+}
+
+// Columns that the effects E read, from one place to another: copy(n) for each.
+template <class E, class Copy, std::size_t... N>
+inline void copy_columns(std::index_sequence<N...>, const Copy &copy)
+{
+  ((E::mask & effects_of_law_column(N) ? copy(N) : void()), ...);
+}
+template <class E, class Copy> inline void copy_columns(const Copy &copy)
+{
+  copy_columns<E>(std::make_index_sequence<NUM_LAW_COLUMNS>(), copy);
 }
 
 inline Vec3 get_lane(const Batch::Lanes *from, int l)
@@ -71,6 +83,7 @@ template <class E> inline void step_lane(Batch &b, int l, const Film &f, double 
   if constexpr (E::adhesion) c.normal.gap.release_a = b.release_a[l];
   if constexpr (E::adhesion) c.normal.gap.ln_release = b.ln_release[l];
   if constexpr (E::repulsion) c.normal.repulsion = {b.repulsion[l], b.per_screening[l]};
+  copy_columns<E>([&](std::size_t n) { c.column[n] = b.column[n][l]; });
   double history[E::HISTORY_SIZE + 1];
   for (int m = 0; m < E::HISTORY_SIZE; m++) history[m] = b.history[m][l];
   const bool usual = next_history_usual<E>(c, f, g, i, j, dt, history, history);

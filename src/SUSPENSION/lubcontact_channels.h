@@ -27,6 +27,14 @@ inline constexpr const char *CHANNEL_NAME[NUM_CHANNELS] = {"contact/normal", "co
                                                            "lubrication/normal",
                                                            "lubrication/tangential", "repulsion"};
 
+// Rows of the stress by origin as the computes show them: inertia stands before the repulsion.
+inline constexpr int INERTIA_ROW = SCREENED_REPULSION, NUM_STRESS_ROWS = NUM_CHANNELS + 1;
+
+constexpr int stress_row(int channel)
+{
+  return channel < INERTIA_ROW ? channel : channel + 1;
+}
+
 }    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif

@@ -16,17 +16,21 @@
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
-enum : unsigned {     // bits of a mask
-  SQUEEZE = 1,        // squeeze film in the normal direction
-  SHEAR = 2,          // tangential film
-  FRICTION = 4,       // Coulomb friction of the asperities
-  ROLL = 8,           // rolling torque of the film
-  TWIST = 16,         // twisting torque of the film
-  THRESHOLD = 32,     // load that a contact needs for friction; nothing without FRICTION
+enum : unsigned {    // bits of a mask
+  SQUEEZE = 1,       // squeeze film in the normal direction
+  SHEAR = 2,         // tangential film
+  FRICTION = 4,      // Coulomb friction of the asperities
+  ROLL = 8,          // rolling torque of the film
+  TWIST = 16,        // twisting torque of the film
+  THRESHOLD = 32,    // load that a contact needs for friction; nothing without FRICTION
+  // extensions of the normal mode: whoever leaves one out has instances of the loop without it
   ADHESION = 64,      // contacts that hold under tension
   REPULSION = 128,    // screened repulsion of the surfaces
   NUM_COMBINATIONS = 256
 };
+
+inline constexpr unsigned EXTENSIONS = (NUM_COMBINATIONS - 1) & ~(ADHESION - 1);
+inline constexpr unsigned NUM_EXTENDED = NUM_COMBINATIONS / ADHESION;    // sets of extensions
 
 // The same effects without the bits that do nothing.
 constexpr unsigned canonical(unsigned mask)
@@ -39,7 +43,7 @@ constexpr unsigned canonical(unsigned mask)
 // coefficients. What a deck often leaves out is exact, so that it costs nothing.
 constexpr unsigned covering(unsigned mask)
 {
-  const unsigned extensions = mask & (ADHESION | REPULSION);
+  const unsigned extensions = mask & EXTENSIONS;
   const unsigned films = mask & (ROLL | TWIST) ? SHEAR | ROLL | TWIST : mask & SHEAR;
   const unsigned threshold = extensions ? THRESHOLD : mask & THRESHOLD;
   const unsigned friction = mask & FRICTION ? FRICTION | threshold : 0;
@@ -77,6 +81,7 @@ template <unsigned X> constexpr auto instances()
 //   TWIST   1     elastic part of the relative twist    1          0               even
 //   BOND    1     1 while the asperities hold, else 0   1          elastic_contact()  even
 template <unsigned MASK> struct Effects {
+  static constexpr unsigned mask = MASK;
   static constexpr bool squeeze = MASK & SQUEEZE;
   static constexpr bool shear = MASK & SHEAR;
   static constexpr bool friction = MASK & FRICTION;
@@ -107,6 +112,45 @@ template <unsigned MASK> struct Effects {
   static constexpr int LAYOUT = (gap_history ? 1 : 0) + (surface_history ? 2 : 0) +
       (tangential ? 4 : 0) + (roll ? 8 : 0) + (twist ? 16 : 0) + (adhesion ? 32 : 0);
 };
+
+// The one way from a mask at run time to compiled effects: calls f(Effects<instance>()) if the instance is
+// one of those listed.
+template <class F, unsigned... MASK>
+void with_one_of(std::integer_sequence<unsigned, MASK...>, unsigned instance, F &&f)
+{
+  ((MASK == instance ? f(Effects<MASK>()) : void()), ...);
+}
+
+// Among the instances with these sets of extensions, each given as its number.
+template <class F, unsigned... SET>
+void with_sets(std::integer_sequence<unsigned, SET...>, unsigned instance, F &&f)
+{
+  ((SET * ADHESION == (instance & EXTENSIONS)
+        ? with_one_of(instances<SET * ADHESION>(), instance, f)
+        : void()),
+   ...);
+}
+
+// Among all that covering() may give.
+template <class F> void with_effects(unsigned instance, F &&f)
+{
+  with_sets(std::make_integer_sequence<unsigned, NUM_EXTENDED>(), instance, f);
+}
+
+// Among a share of them: files that share the work of compiling them have numbers 0 to 3.
+inline constexpr unsigned NUM_SHARES = 4;
+
+template <unsigned SHARE, unsigned... N>
+constexpr auto sets_of_share(std::integer_sequence<unsigned, N...>)
+{
+  return std::integer_sequence<unsigned, (NUM_SHARES * N + SHARE)...>();
+}
+
+template <unsigned SHARE, class F> void with_share_of_effects(unsigned instance, F &&f)
+{
+  constexpr unsigned sets = (NUM_EXTENDED - SHARE + NUM_SHARES - 1) / NUM_SHARES;
+  with_sets(sets_of_share<SHARE>(std::make_integer_sequence<unsigned, sets>()), instance, f);
+}
 
 // History of (j,i) from that of (i,j).
 template <class E> inline void exchange_history(const double *source, double *target)

@@ -15,6 +15,7 @@
 #define LUBCONTACT_PAIR_H
 
 #include "lubcontact_channels.h"
+#include "lubcontact_coeffs.h"
 #include "lubcontact_defs.h"
 #include "lubcontact_effects.h"
 #include "lubcontact_friction.h"
@@ -33,6 +34,7 @@ struct PairCoeffs {    // of a pair of types
   double kt;    // tangential stiffness, force/length; kt a^2 for roll and twist
   double mu;    // coefficient of friction
   Threshold threshold{};
+  double column[NUM_LAW_COLUMNS + 1] = {};    // law_column(&TypeCoeffs::name) says which
 };
 
 // Surfaces that are closer may hold each other without any film: ADHESION stretches the bulk.

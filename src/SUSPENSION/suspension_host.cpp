@@ -88,6 +88,29 @@ double Suspension_NS::particle_volume(const Domain *domain, double radius)
                                 : MY_PI * radius * radius;
 }
 
+/* ---------------------------------------------------------------------- */
+
+Suspension_NS::Particles Suspension_NS::measure_particles(LAMMPS *lmp)
+{
+  const Atom *atom = lmp->atom;
+  double mine[4] = {}, sum[4];                              // number, mass, radii, volume
+  double mine_most[2] = {-HUGE_VAL, -HUGE_VAL}, most[2];    // radius, minus radius
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double r = atom->radius[i];
+    if (r == 0.0) continue;
+    const double values[4] = {1.0, atom->rmass[i], r, 4.0 / 3.0 * MY_PI * r * r * r};
+    for (int n = 0; n < 4; n++) mine[n] += values[n];
+    mine_most[0] = MAX(mine_most[0], r);
+    mine_most[1] = MAX(mine_most[1], -r);
+  }
+  MPI_Allreduce(mine, sum, 4, MPI_DOUBLE, MPI_SUM, lmp->world);
+  MPI_Allreduce(mine_most, most, 2, MPI_DOUBLE, MPI_MAX, lmp->world);
+  if (sum[0] == 0.0) return {};
+  return {sum[0], sum[1], -most[1], most[0], sum[2] / sum[0], sum[1] / sum[3]};
+}
+
+/* ---------------------------------------------------------------------- */
+
 std::array<double, 3> Suspension_NS::cell_heights(const Domain *domain)
 {
   const double *hi = domain->h_inv;

@@ -42,6 +42,14 @@ int groups_without_inertia(LAMMPS *);
 double cell_volume(const Domain *);
 double particle_volume(const Domain *, double radius);
 
+// of all particles with a radius: under hybrid others are points. Radii are 0 without any
+struct Particles {
+  double number = 0.0, mass = 0.0;
+  double smallest = 0.0, largest = 0.0, mean = 0.0;    // radii
+  double density = 0.0;                                // mean, of spheres
+};
+Particles measure_particles(LAMMPS *);
+
 // distance of opposite faces, along x, y and z
 std::array<double, 3> cell_heights(const Domain *);
 

@@ -3,9 +3,9 @@
 #include "lubcontact_effects.h"
 #include "tools.h"
 
+#include <array>
 #include <string>
 #include <utility>
-#include <vector>
 
 using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
@@ -55,7 +55,7 @@ struct Traits {
   void (*exchange)(const double *, double *);
 };
 
-template <unsigned MASK> static Traits traits_of()
+template <unsigned MASK> static constexpr Traits traits_of()
 {
   using E = Effects<MASK>;
   return {E::squeeze,      E::shear,
@@ -71,22 +71,21 @@ template <unsigned MASK> static Traits traits_of()
           E::HISTORY_SIZE, &exchange_history<E>};
 }
 
+// a constant: filled at run time it takes a sanitizing compiler two minutes
 template <unsigned... MASK>
-static std::vector<Traits> all_traits(std::integer_sequence<unsigned, MASK...>)
+static constexpr std::array<Traits, sizeof...(MASK)>
+all_traits(std::integer_sequence<unsigned, MASK...>)
 {
   return {traits_of<MASK>()...};
 }
 
-static const std::vector<Traits> &traits()
-{
-  static const auto all = all_traits(std::make_integer_sequence<unsigned, NUM_COMBINATIONS>());
-  return all;
-}
+static constexpr auto TRAITS =
+    all_traits(std::make_integer_sequence<unsigned, NUM_COMBINATIONS>());
 
 TEST(Effects, EachBitSwitchesItsOwnEffect)
 {
   for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
-    const Traits &e = traits()[mask];
+    const Traits &e = TRAITS[mask];
     SCOPED_TRACE(mask);
     EXPECT_EQ(e.squeeze, mask % 2 == 1);
     EXPECT_EQ(e.shear, mask / 2 % 2 == 1);
@@ -107,7 +106,7 @@ TEST(Effects, EachBitSwitchesItsOwnEffect)
 TEST(Effects, HistoryHasTheSlotsOfTheTableWithoutGaps)
 {
   for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
-    const Traits &e = traits()[mask];
+    const Traits &e = TRAITS[mask];
     SCOPED_TRACE(mask);
     std::string layout(static_cast<std::size_t>(e.size), '-');
     auto mark = [&layout](bool on, int slot, std::size_t size, char letter) {
@@ -135,7 +134,7 @@ TEST(ExchangeHistory, ScalarsAreEvenAndVectorsAreOdd)
       source[m] = m + 1.0;
       target[m] = -77.0;
     }
-    traits()[mask].exchange(source, target);
+    TRAITS[mask].exchange(source, target);
     for (std::size_t m = 0; m < 12; m++) {
       if (m >= layout.size())
         EXPECT_EQ(target[m], -77.0) << "wrote beyond the history, slot " << m;
@@ -153,8 +152,8 @@ TEST(ExchangeHistory, TwiceIsTheIdentityAlsoInPlace)
     SCOPED_TRACE(mask);
     double history[11];
     for (int m = 0; m < 11; m++) history[m] = 0.5 - m;
-    traits()[mask].exchange(history, history);
-    traits()[mask].exchange(history, history);
+    TRAITS[mask].exchange(history, history);
+    TRAITS[mask].exchange(history, history);
     for (int m = 0; m < 11; m++) EXPECT_EQ(history[m], 0.5 - m);
   }
 }

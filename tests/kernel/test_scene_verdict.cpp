@@ -331,7 +331,7 @@ TEST(SceneVerdict, ReasonsNameNumberThresholdAndSource)
 
 TEST(SceneVerdict, ManualQuotesEveryThreshold)
 {
-  std::ifstream file(SUSPENSION_MANUAL "/suspension_scene.rst");
+  std::ifstream file(SUSPENSION_MANUAL "/scene_thresholds.csv");
   std::stringstream all;
   all << file.rdbuf();
   const std::string page = all.str();

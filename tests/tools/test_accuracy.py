@@ -9,7 +9,7 @@ sys.path.insert(0, str(ROOT / "benchmarks" / "accuracy_cost"))
 import suspension_laws    # noqa: E402  pylint: disable=wrong-import-position
 from suspension import SCATTER, SETTLED    # noqa: E402  pylint: disable=wrong-import-position
 
-HEADER = (ROOT / "src" / "SUSPENSION" / "scene_accuracy.h").read_text(encoding="ascii")
+HEADER = (ROOT / "src" / "SUSPENSION-ADVISER" / "scene_accuracy.h").read_text(encoding="ascii")
 ROWS, _ = suspension_laws.read()
 
 
@@ -55,7 +55,7 @@ class Constants(unittest.TestCase):
 
     def test_squeeze_film_left_out(self):
         """The threshold of the adviser quotes what leaving the squeeze film out changes."""
-        verdicts = (ROOT / "src" / "SUSPENSION" / "scene_verdict.h").read_text(encoding="ascii")
+        verdicts = (ROOT / "src" / "SUSPENSION-ADVISER" / "scene_verdict.h").read_text(encoding="ascii")
         source = "".join(re.findall(r'"([^"]*)"', re.search(r'\{"St", 0\.05,(.*?)\}', verdicts, re.DOTALL).group(1)))
         pairs = [(("squeeze", f"phi 0.54, St {stokes}", "off"), ("squeeze", f"phi 0.54, St {stokes}", "on")) for stokes in ("0.05", "0.5")]
         for key, base in (*pairs, (("strain", "left out", "squeeze"), ("strain", "base", ""))):

@@ -72,7 +72,7 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"coeff": COEFF + " repulsion 1 0.1", "extra": "variable f equal -1\nfix a all adapt 1 pair lubcontact repulsion * * v_f"},
      "left their range", None),
     ({"coeff": COEFF + " roughness 0.01 adhesion 0.01", "extra": "variable f equal 0\nfix a all adapt 1 pair lubcontact roughness * * v_f"},
-     "adhesion of types 1 1 is of asperities, but their roughness is now 0", None),
+     "types 1 1: adhesion is of asperities, but their roughness is 0: give them one > 0", None),
     ({"style": "lubcontact 0 cut 0.5 squeeze no shear no roll no twist no", "coeff": COEFF + " roughness 0.01 adhesion 0.01",
       "extra": "minimize 0 0 10 10"}, "and no adhesion", None),
     ({"coeff": COEFF + " rougness 0.1"}, "Unknown pair_coeff lubcontact keyword: rougness", "rougness"),

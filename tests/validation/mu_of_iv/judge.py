@@ -1,4 +1,4 @@
-"""Table of results.csv against the laws of the literature: means of the replicas, their scatter, and where they miss.
+"""Results.csv against the laws of the literature: means of the replicas and their scatter, written to table.csv; jamming.
 
 usage: tools/python.sh judge.py [results.csv]
 """
@@ -36,14 +36,16 @@ def main():
     cases = {}
     for row in rows:
         cases.setdefault((float(row["friction"]), float(row["Iv"])), []).append(row)
-    print("| friction | Iv | phi | Chevremont 15 | Boyer | mu | Chevremont 14 | Boyer | contact | films | replicas |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|")
+    lines = [["friction", "Iv", "phi", "phi of Chevremont, eq. 15", "phi of Boyer", "mu", "mu of Chevremont, eq. 14", "mu of Boyer",
+              "contacts", "films", "replicas"]]
     for (friction, iv), mine in sorted(cases.items()):
         (phi, mu), (phi_error, mu_error) = replicas(mine, "phi", "mu")
         parts, _ = replicas(mine, "contact_n", "contact_t", "film_n", "film_t")
-        print(f"| {friction:g} | {iv:g} | {phi:.4f} +- {phi_error:.4f} | {rheology.phi_chevremont(iv, friction):.4f} | "
-              f"{rheology.phi_boyer(iv):.4f} | {mu:.3f} +- {mu_error:.3f} | {rheology.mu_chevremont(iv, friction):.3f} | "
-              f"{rheology.mu_boyer(iv):.3f} | {parts[0] + parts[1]:.3f} | {parts[2] + parts[3]:.3f} | {len(mine)} |")
+        lines.append([f"{friction:g}", f"{iv:g}", f"{phi:.4f} +- {phi_error:.4f}", f"{rheology.phi_chevremont(iv, friction):.4f}",
+                      f"{rheology.phi_boyer(iv):.4f}", f"{mu:.3f} +- {mu_error:.3f}", f"{rheology.mu_chevremont(iv, friction):.3f}",
+                      f"{rheology.mu_boyer(iv):.3f}", f"{parts[0] + parts[1]:.3f}", f"{parts[2] + parts[3]:.3f}", len(mine)])
+    with (Path(table).parent / "table.csv").open("w", newline="", encoding="ascii") as file:
+        csv.writer(file, lineterminator="\n").writerows(lines)
 
     print("\n| friction | phi_m, fit to Iv <= 0.1 | b | Chevremont 13 |\n|---|---|---|---|")
     for friction in sorted({key[0] for key in cases}):

@@ -1,4 +1,4 @@
-"""Prints the tables of README.md from results.csv and draws results.png.
+"""Writes table.csv from results.csv, for README.md and the manual, and draws results.png.
 
 usage: tools/python.sh judge.py
 """
@@ -78,8 +78,7 @@ def misfit(by_phi, swollen=1.0):
 def main():
     merged, cpu = read()
     fractions = sorted({phi for by_phi in merged.values() for phi in by_phi})
-    print("| range | " + " | ".join(f"phi {phi:g}" for phi in fractions) + " | rms of ln | rms over error | rms of ln, asperities counted | CPU |")
-    print("|---" * (len(fractions) + 5) + "|")
+    rows = [["range", *(f"phi {phi:.2f}" for phi in fractions), "rms of ln", "error ratio", "rms of ln, asperities counted", "CPU"]]
     for case in sorted(merged):
         cells = []
         for phi in fractions:
@@ -88,10 +87,12 @@ def main():
         plain, weighted = misfit(merged[case])
         common = [phi for phi in cpu[case] if phi in cpu[("cut", 0.5)]]
         cost = np.mean([np.mean(cpu[case][phi]) / np.mean(cpu[("cut", 0.5)][phi]) for phi in common])
-        print(f"| `{case[0]} {case[1]:g}` | " + " | ".join(cells) + f" | {plain:.2f} | {weighted:.1f} | {misfit(merged[case], SWOLLEN)[0]:.2f} | {cost:.1f} |")
+        rows.append([f"{case[0]} {case[1]:g}", *cells, f"{plain:.2f}", f"{weighted:.1f}", f"{misfit(merged[case], SWOLLEN)[0]:.2f}",
+                     f"{cost:.1f}"])
     for name in references(0.4):
-        print(f"| {name} | " + " | ".join(f"{references(phi)[name]:.3g}" if name in references(phi) else ""
-                                          for phi in fractions) + " | | | | |")
+        rows.append([name, *(f"{references(phi)[name]:.3g}" if name in references(phi) else "" for phi in fractions), "", "", "", ""])
+    with (HERE / "table.csv").open("w", newline="", encoding="ascii") as file:
+        csv.writer(file, lineterminator="\n").writerows(rows)
 
     fig, axes = plt.subplots(1, 2, figsize=(10.5, 4.4))
     phi = np.linspace(0.38, 0.548, 100)

@@ -7,10 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop for pairs with repulsion.
+// Instances of the loop, share 2: repulsion.
 
-#include "pair_lubcontact_loop.h"
+#include "lubcontact_loop_instances.h"
 
-using namespace LAMMPS_NS;
-
-template void PairLubcontact::choose_extended<Lubcontact_NS::REPULSION>();
+template void LAMMPS_NS::find_in_share<2>(LubcontactInstance &);

@@ -7,10 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop for pairs with neither adhesion nor repulsion.
+// Instances of the loop, share 3: adhesion and repulsion.
 
-#include "pair_lubcontact_loop.h"
+#include "lubcontact_loop_instances.h"
 
-using namespace LAMMPS_NS;
-
-template void PairLubcontact::choose_extended<0>();
+template void LAMMPS_NS::find_in_share<3>(LubcontactInstance &);

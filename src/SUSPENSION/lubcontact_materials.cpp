@@ -8,15 +8,16 @@
 ------------------------------------------------------------------------- */
 
 // pair_coeff * * FILE NAME1 NAME2 ... keyword value ...: named materials, one per atom type. Each
-// pair of types becomes the words of an ordinary pair_coeff, which coeff() reads.
+// pair of types becomes the words of an ordinary pair_coeff.
 
-#include "pair_lubcontact.h"
+#include "lubcontact_materials.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
 #include "input.h"
 #include "lubcontact_material_file.h"
+#include "lubcontact_type_coeffs.h"
 #include "math_const.h"
 #include "suspension_host.h"
 #include "suspension_input.h"
@@ -54,7 +55,7 @@ struct Options {
   double soften = 1.0;           // divides it
   double load = 0.0;             // 0: springs in series
   UnitScale unit{1.0, 1.0, 1.0};
-  Words others;    // words for every pair, read by coeff()
+  std::vector<char *> others;    // words for every pair, those of the input line
 };
 
 /* ----------------------------------------------------------------------
@@ -93,7 +94,8 @@ class MaterialCommand : protected Pointers {
   bool unit_scale(UnitScale &) const;
 };
 
-// Keywords of this form of the command, and how they are written; all others belong to coeff().
+// Keywords of this form of the command, and how they are written; all others are those of an
+// ordinary pair_coeff.
 const std::map<std::string, std::string> OPTIONS = {{"radius", "radius R ..."},
                                                     {"modulus", "modulus E"},
                                                     {"soften", "soften f"},
@@ -207,7 +209,7 @@ bool MaterialCommand::unit_scale(UnitScale &unit) const
 }
 
 /* ----------------------------------------------------------------------
-   radius modulus soften load scale, in any order, then the words of coeff()
+   radius modulus soften load scale, in any order, then the words of an ordinary pair_coeff
 ------------------------------------------------------------------------- */
 
 Options MaterialCommand::options(int first) const
@@ -296,40 +298,39 @@ void warn_density(LAMMPS *lmp, int itype, const Type &type, const UnitScale &uni
                         type.density, itype, type.material->name, expected);
 }
 
-// Words of an input line, as long as they live: an error in them is shown as one of the input.
-class InputWords {
- public:
-  InputWords(Input *input, Words &words) : input(input), narg(input->narg), arg(input->arg)
-  {
-    for (auto &word : words) pointers.push_back(&word[0]);
-    input->narg = static_cast<int>(pointers.size());
-    input->arg = pointers.data();
-  }
-  ~InputWords()
-  {
-    input->narg = narg;
-    input->arg = arg;
-  }
+// Words of pair_coeff behind the types: springs, then what file and command say of the surfaces. Words
+// of the command are those of the input line, so that an error in them is shown there.
+struct PairWords {
+  Words made;
+  std::vector<char *> all;
 
- private:
-  Input *input;
-  int narg;
-  char **arg;
-  std::vector<char *> pointers;
+  void finish(const std::vector<char *> &others)
+  {
+    for (auto &word : made) all.push_back(&word[0]);
+    all.insert(all.end(), others.begin(), others.end());
+  }
+  bool has(const char *word) const
+  {
+    return std::any_of(all.begin(), all.end(), [word](const char *one) {
+      return strcmp(one, word) == 0;
+    });
+  }
 };
 
-// Words of pair_coeff behind the types: springs, then what file and command say of the surfaces.
-Words pair_words(const MaterialFile &file, const Type &one, const Type &other, double a,
-                 const Options &options)
+PairWords pair_words(const MaterialFile &file, const Type &one, const Type &other, double a,
+                     const Options &options)
 {
   const Lubcontact_NS::Springs k = Lubcontact_NS::springs(one.solid, other.solid, options.load);
-  Words words{Lubcontact_NS::to_word(k.g), Lubcontact_NS::to_word(k.kt)};
-  const Words &others = options.others;
+  PairWords words;
+  words.made = {Lubcontact_NS::to_word(k.g), Lubcontact_NS::to_word(k.kt)};
+  const auto &others = options.others;
   const auto surface = Lubcontact_NS::pair_surface(file, *one.material, *other.material);
   for (const auto &property : Lubcontact_NS::surface_words(surface, a, options.unit))
-    if (std::find(others.begin(), others.end(), property[0]) == others.end())
-      words.insert(words.end(), property.begin(), property.end());
-  words.insert(words.end(), others.begin(), others.end());
+    if (std::none_of(others.begin(), others.end(), [&property](const char *word) {
+          return property[0] == word;
+        }))
+      words.made.insert(words.made.end(), property.begin(), property.end());
+  words.finish(others);
   return words;
 }
 
@@ -367,7 +368,7 @@ std::string short_number(const std::string &word)
   return utils::is_double(word) ? fmt::format("{:.6g}", std::stod(word)) : word;
 }
 
-std::string joined(const Words &words, std::size_t first)
+std::string joined(const std::vector<char *> &words, std::size_t first)
 {
   std::string text;
   for (std::size_t m = first; m < words.size(); m++)
@@ -381,43 +382,53 @@ std::string joined(const Words &words, std::size_t first)
    pair_coeff * * FILE NAME1 NAME2 ... keyword value ...
 ------------------------------------------------------------------------- */
 
-void PairLubcontact::materials(int narg, char **arg)
+std::vector<TypePair> LAMMPS_NS::read_materials(LAMMPS *lmp, int narg, char **arg,
+                                                const LubcontactTypeCoeffs &coeffs,
+                                                const Lubcontact_NS::Settings &settings)
 {
+  Error *error = lmp->error;
   const MaterialCommand command(lmp, narg, arg);
   const MaterialFile file = command.parse(command.read(2));
   for (int m = 0; m < 2; m++)
     if (strcmp(arg[m], "*") != 0)
       error->all(FLERR, command.at(m), "Materials need pair_coeff * *, but found {}", arg[m]);
 
-  const int ntypes = atom->ntypes;
+  const int ntypes = lmp->atom->ntypes;
   std::vector<Type> types(ntypes + 1);
   command.materials(file, types);
   const Options options = command.options(3 + ntypes);
   std::string text =
-      fmt::format("Materials of pair style lubcontact, in units {}\n", update->unit_style) +
+      fmt::format("Materials of pair style lubcontact, in units {}\n", lmp->update->unit_style) +
       complete_types(lmp, command, options, types);
 
+  std::vector<TypePair> pairs;
   for (int i = 1; i <= ntypes; i++)
     for (int j = i; j <= ntypes; j++) {
       const Type &one = types[i], &other = types[j];
       if (!one.material || !other.material) continue;
-      const double a = effective_radius(one.solid.radius, other.solid.radius);
-      Words words = pair_words(file, one, other, a, options);
+      const double a =
+          Lubcontact_NS::effective_radius(settings.radius, one.solid.radius, other.solid.radius);
+      PairWords words = pair_words(file, one, other, a, options);
       for (const char *needed : {"roughness", "friction"})
-        if (std::find(words.begin(), words.end(), needed) == words.end())
+        if (!words.has(needed))
           error->all(FLERR, command.at(2 + j),
                      "File of materials {} knows no {} of {} on {}: add {} to the command", arg[2],
                      needed, one.material->name, other.material->name, needed);
-      words.insert(words.begin(), {std::to_string(i), std::to_string(j)});
       if (j <= SHOWN_TYPES)
-        text += fmt::format("  types {} {}      g {} kt {}\n", i, j, short_number(words[2]),
-                            joined(words, 3));
-      const InputWords shown(input, words);
-      coeff(input->narg, input->arg);
+        text += fmt::format("  types {} {}      g {} kt {}\n", i, j, short_number(words.all[0]),
+                            joined(words.all, 1));
+      std::string made = fmt::format("pair_coeff {} {}", i, j);
+      for (const char *word : words.all) made += std::string(" ") + word;
+      const int number = static_cast<int>(words.all.size());
+      pairs.push_back({i, j,
+                       coeffs.parse(number, words.all.data(), settings.reach_a,
+                                    fmt::format("; in what {} makes of {} and {}: {}", arg[2],
+                                                one.material->name, other.material->name, made))});
     }
   text +=
       fmt::format("  stiffness      {}; hard spheres need P a/(g roughness) << 1 at pressure P\n",
                   options.load > 0.0 ? fmt::format("Hertz' secant at force {:.6g}", options.load)
                                      : "modulus times effective radius");
-  if (comm->me == 0) utils::logmesg(lmp, text);
+  if (lmp->comm->me == 0) utils::logmesg(lmp, text);
+  return pairs;
 }

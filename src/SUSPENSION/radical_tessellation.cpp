@@ -7,31 +7,48 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Range voronoi of pair style lubcontact: which pairs share a face of the radical (power)
-// tessellation, the dual of the regular triangulation of D. Marzougui, B. Chareyre, J. Chauchat,
-// Granular Matter 17, 297 (2015). Cells: C.H. Rycroft, Voro++, Chaos 19, 041111 (2009).
-// The face of two spheres is in the plane of equal tangents, which separates spheres of any sizes
-// that do not overlap, so that two spheres that touch always share one.
+#include "radical_tessellation.h"
 
-#include "pair_lubcontact.h"
-
+#include "comm.h"
 #include "error.h"
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+RadicalTessellation::RadicalTessellation(LAMMPS *lmp, const std::string &who) :
+    Pointers(lmp), who(who), ghosts_of_user(0.0), ghosts_raised(0.0)
+{
+}
+
+RadicalTessellation::~RadicalTessellation()
+{
+  return_ghosts();
+}
+
+void RadicalTessellation::return_ghosts()
+{
+  if (ghosts_raised > 0.0 && comm->cutghostuser == ghosts_raised)
+    comm->cutghostuser = ghosts_of_user;
+  ghosts_raised = 0.0;
+}
+
+const char *const RadicalTessellation::NO_LIBRARY =
+    "needs the library Voro++, without which this SUSPENSION was built: install it (Debian: "
+    "voro++-dev) and build again, or use range cut or shifted";
 
 #ifdef SUSPENSION_VOROPP
 
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
-#include "lubcontact_film.h"
+#include "lubcontact_vec3.h"
 #include "neigh_list.h"
 
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include <voro++/voro++.hh>
 
-using namespace LAMMPS_NS;
 using Lubcontact_NS::Vec3;
 
 // Smaller faces are none, so that ties of regular arrangements (Voro++ decides to 1e-11) do not
@@ -43,7 +60,7 @@ static constexpr double GHOST_DISTANCE = 5.0;
 
 namespace {
 
-using Cell = voro::voronoicell_neighbor;
+using VoroCell = voro::voronoicell_neighbor;
 
 double largest(const double *values, int n)
 {
@@ -61,7 +78,7 @@ class Surroundings : protected Pointers {
   double reach;         // distance from any owned atom in which all are known
 
   double missing(const Vec3 &x, double distance) const;
-  bool cut_at_boundaries(Cell &cell, const Vec3 &x, double unit) const;
+  bool cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit) const;
   void bounds(double *lo, double *hi) const;
 
  private:
@@ -116,7 +133,7 @@ double Surroundings::missing(const Vec3 &x, double distance) const
    boundaries that are not periodic end all cells; false if nothing is left of this one
 ------------------------------------------------------------------------- */
 
-bool Surroundings::cut_at_boundaries(Cell &cell, const Vec3 &x, double unit) const
+bool Surroundings::cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit) const
 {
   for (int d = 0; d < domain->dimension; d++) {
     if (domain->periodicity[d]) continue;
@@ -162,14 +179,14 @@ void Surroundings::bounds(double *lo, double *hi) const
 
 // Cells of the owned atoms, in units of the largest radius because Voro++ has absolute tolerances.
 // In 2d a slab as thick as this unit, so that the area of a face is its length.
-class Tessellation : protected Pointers {
+class Cells : protected Pointers {
  public:
-  explicit Tessellation(LAMMPS *lmp);
+  explicit Cells(LAMMPS *lmp);
   // calls shared(i, cell) for each owned atom that has a cell
   template <class F> void each_cell(const F &shared);
   double face_missing(int i, int j, const std::vector<double> &points,
                       const std::vector<int> &corners) const;
-  bool is_sure(Cell &cell) const;
+  bool is_sure(VoroCell &cell) const;
 
  private:
   Surroundings surroundings;
@@ -184,7 +201,7 @@ class Tessellation : protected Pointers {
   double missing(int i, const Vec3 &q) const;
 };
 
-Tessellation::Tessellation(LAMMPS *lmp) :
+Cells::Cells(LAMMPS *lmp) :
     Pointers(lmp), surroundings(lmp), unit(surroundings.radius_max), owned(MAX(atom->nlocal, 1))
 {
   const int nall = atom->nlocal + atom->nghost;
@@ -210,9 +227,9 @@ Tessellation::Tessellation(LAMMPS *lmp) :
   }
 }
 
-template <class F> void Tessellation::each_cell(const F &shared)
+template <class F> void Cells::each_cell(const F &shared)
 {
-  Cell cell;
+  VoroCell cell;
   voro::c_loop_order loop(*container, owned);
   if (!loop.start()) return;
   do {
@@ -226,7 +243,7 @@ template <class F> void Tessellation::each_cell(const F &shared)
    An unknown particle takes the point x_i + q from the cell of i only from within this distance
 ------------------------------------------------------------------------- */
 
-double Tessellation::missing(int i, const Vec3 &q) const
+double Cells::missing(int i, const Vec3 &q) const
 {
   const double most = surroundings.radius_max, r = atom->radius[i];
   return surroundings.missing(position(i) + q, sqrt(dot(q, q) + most * most - r * r));
@@ -236,7 +253,7 @@ double Tessellation::missing(int i, const Vec3 &q) const
    is no vertex so far away that an unknown particle could change the cell?
 ------------------------------------------------------------------------- */
 
-bool Tessellation::is_sure(Cell &cell) const
+bool Cells::is_sure(VoroCell &cell) const
 {
   const double farthest = 0.5 * unit * sqrt(cell.max_radius_squared());    // twice, in Voro++
   const double most = surroundings.radius_max;
@@ -248,8 +265,8 @@ bool Tessellation::is_sure(Cell &cell) const
    one of its points is sure: where the line of centers passes through it, or the nearest of an edge
 ------------------------------------------------------------------------- */
 
-double Tessellation::face_missing(int i, int j, const std::vector<double> &points,
-                                  const std::vector<int> &corners) const
+double Cells::face_missing(int i, int j, const std::vector<double> &points,
+                           const std::vector<int> &corners) const
 {
   const bool flat = domain->dimension == 2;
   const Vec3 d = position(j) - position(i);
@@ -279,104 +296,110 @@ double Tessellation::face_missing(int i, int j, const std::vector<double> &point
 
 /* ---------------------------------------------------------------------- */
 
-void PairLubcontact::require_voronoi(int) {}
+bool RadicalTessellation::has_library()
+{
+  return true;
+}
 
-/* ----------------------------------------------------------------------
-   ghost atoms out to a distance that decides the faces of dense suspensions
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void PairLubcontact::request_ghosts()
+void RadicalTessellation::request_ghosts(double largest_radius)
 {
   return_ghosts();
-  if (range_rule != static_cast<int>(Lubcontact_NS::Range::VORONOI)) return;
   if (comm->mode != Comm::SINGLE)
     error->all(FLERR,
-               "Pair style lubcontact range voronoi needs ghost atoms of all types at one "
-               "distance; use: comm_modify mode single");
+               "{} needs ghost atoms of all types at one distance; use: comm_modify mode single",
+               who);
   ghosts_of_user = comm->cutghostuser;
-  ghosts_raised = MAX(ghosts_of_user, GHOST_DISTANCE * largest(max_radius + 1, atom->ntypes));
+  ghosts_raised = MAX(ghosts_of_user, GHOST_DISTANCE * largest_radius);
   comm->cutghostuser = ghosts_raised;
 }
 
-/* ----------------------------------------------------------------------
-   which pairs of the neighbor list share a face, until it is built again
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void PairLubcontact::tessellate()
+void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &visit) const
 {
-  faces.clear();
-  const bool films = mode[SQUEEZE] || mode[SHEAR] || mode[ROLL] || mode[TWIST];
-  if (range_rule != static_cast<int>(Lubcontact_NS::Range::VORONOI) || !films) return;
-
-  std::size_t total = 0;
-  static constexpr std::size_t NO_LIST = -1;    // under hybrid: a particle of other styles
-  first_face.assign(atom->nlocal, NO_LIST);
-  for (int ii = 0; ii < list->inum; ii++) {
-    first_face[list->ilist[ii]] = total;
-    total += list->numneigh[list->ilist[ii]];
-  }
-  faces.assign(total, 0);
-  if (total == 0) return;
-
-  Tessellation tessellation(lmp);
-  std::vector<int> entry(atom->nlocal + atom->nghost, -1);    // place in the list of i
-  std::vector<int> partners, corners, polygon;
-  std::vector<double> areas, points;
-  tessellation.each_cell([&](int i, Cell &cell) {
-    if (first_face[i] == NO_LIST) return;
-    const int *jlist = list->firstneigh[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = jj;
-    cell.neighbors(partners);
-    cell.face_areas(areas);
-    const bool sure = tessellation.is_sure(cell);
+  if (atom->nlocal == 0) return;
+  Cells cells(lmp);
+  Cell cell;
+  std::vector<int> corners, polygon;
+  std::vector<double> points;
+  cells.each_cell([&](int i, VoroCell &found) {
+    cell.owner = i;
+    found.neighbors(cell.neighbors);
+    found.face_areas(cell.areas);
+    const bool sure = cells.is_sure(found);
     if (!sure) {
-      cell.vertices(points);
-      cell.face_vertices(corners);
+      found.vertices(points);
+      found.face_vertices(corners);
     }
-    std::size_t at = 0;    // of the face in corners: number of them, then each
-    for (std::size_t n = 0; n < partners.size(); n++) {
-      const int j = partners[n];
-      if (!sure) {
-        polygon.assign(&corners[at + 1], &corners[at + 1] + corners[at]);
-        at += 1 + corners[at];
-      }
-      if (j < 0 || entry[j] < 0 || areas[n] < LEAST_AREA) continue;
-      faces[first_face[i] + entry[j]] = 1;
-      const double missing = sure ? 0.0 : tessellation.face_missing(i, j, points, polygon);
-      if (missing > 0.0) ghost_error(i, j, missing);
-    }
-    for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = -1;
+    cell.require_sure = [&, i, sure](std::size_t n) {
+      if (sure) return;
+      std::size_t at = 0;    // of the face in corners: number of them, then each
+      for (std::size_t m = 0; m < n; m++) at += 1 + corners[at];
+      polygon.assign(&corners[at + 1], &corners[at + 1] + corners[at]);
+      const int j = cell.neighbors[n];
+      const double missing = cells.face_missing(i, j, points, polygon);
+      if (missing > 0.0)
+        error->one(FLERR,
+                   "{} cannot tell whether atoms {} and {} share a Voronoi face: there are voids, "
+                   "and ghost atoms reach {:.6g} only; use: comm_modify cutoff {:.4g}",
+                   who, atom->tag[i], atom->tag[j], comm->get_comm_cutoff(),
+                   1.1 * (comm->get_comm_cutoff() + missing));
+    };
+    visit(cell);
   });
 }
 
 /* ---------------------------------------------------------------------- */
 
-void PairLubcontact::ghost_error(int i, int j, double missing) const
+void RadicalTessellation::mark_faces(const NeighList *list, FaceFlags &faces) const
 {
-  error->one(FLERR,
-             "Pair style lubcontact cannot tell whether atoms {} and {} share a Voronoi face: "
-             "there are voids, and ghost atoms reach {:.6g} only; use: comm_modify cutoff {:.4g}",
-             atom->tag[i], atom->tag[j], comm->get_comm_cutoff(),
-             1.1 * (comm->get_comm_cutoff() + missing));
+  std::size_t total = 0;
+  faces.first.assign(atom->nlocal, FaceFlags::NONE);    // under hybrid: a particle of other styles
+  for (int ii = 0; ii < list->inum; ii++) {
+    faces.first[list->ilist[ii]] = total;
+    total += list->numneigh[list->ilist[ii]];
+  }
+  faces.flags.assign(total, 0);
+  if (total == 0) return;
+
+  std::vector<int> entry(atom->nlocal + atom->nghost, -1);    // place in the list of i
+  each_cell([&](const Cell &cell) {
+    const int i = cell.owner;
+    if (faces.first[i] == FaceFlags::NONE) return;
+    const int *jlist = list->firstneigh[i];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = jj;
+    for (std::size_t n = 0; n < cell.neighbors.size(); n++) {
+      const int j = cell.neighbors[n];
+      if (j < 0 || entry[j] < 0 || cell.areas[n] < LEAST_AREA) continue;
+      faces.flags[faces.first[i] + entry[j]] = 1;
+      cell.require_sure(n);
+    }
+    for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = -1;
+  });
 }
 
 #else
 
-using namespace LAMMPS_NS;
-
-void PairLubcontact::require_voronoi(int iarg)
+bool RadicalTessellation::has_library()
 {
-  error->all(FLERR, iarg,
-             "Pair style lubcontact range voronoi needs the library Voro++, without which this "
-             "SUSPENSION was built: install it (Debian: voro++-dev) and build again, or use "
-             "range cut or shifted");
+  return false;
 }
 
-void PairLubcontact::request_ghosts()
+void RadicalTessellation::request_ghosts(double)
 {
-  if (range_rule == 2) require_voronoi(Error::NOLASTLINE);
+  error->all(FLERR, "{} {}", who, NO_LIBRARY);
 }
 
-void PairLubcontact::tessellate() {}
+void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &) const
+{
+  error->all(FLERR, "{} {}", who, NO_LIBRARY);
+}
+
+void RadicalTessellation::mark_faces(const NeighList *, FaceFlags &) const
+{
+  error->all(FLERR, "{} {}", who, NO_LIBRARY);
+}
 
 #endif

@@ -20,7 +20,9 @@
 #include "force.h"
 #include "group.h"
 #include "irregular.h"
+#include "lubcontact_pair.h"
 #include "modify.h"
+#include "scene_history.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,6 +142,17 @@ void SceneInstance::copy_state(Fix *fix) const
   state.resize(size);
   read(state.data(), size);
   lmp->modify->get_fix_by_id(fix->id)->restart(state.data());
+}
+
+/* ----------------------------------------------------------------------
+   history of a pair at distance r, from one with the effects `from`
+------------------------------------------------------------------------- */
+
+void PairLubcontact::adopt_history(unsigned from, const double *old, int itype, int jtype,
+                                   double ri, double rj, double r, double *next) const
+{
+  Scene_NS::adopt_history(from, instance, coeffs[itype][jtype].normal, effective_radius(ri, rj),
+                          r - ri - rj, old, next);
 }
 
 /* ----------------------------------------------------------------------

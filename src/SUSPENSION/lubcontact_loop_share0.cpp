@@ -7,10 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loop for pairs with adhesion and repulsion.
+// Instances of the loop, share 0: no extension of the normal mode.
 
-#include "pair_lubcontact_loop.h"
+#include "lubcontact_loop_instances.h"
 
-using namespace LAMMPS_NS;
-
-template void PairLubcontact::choose_extended<Lubcontact_NS::ADHESION | Lubcontact_NS::REPULSION>();
+template void LAMMPS_NS::find_in_share<0>(LubcontactInstance &);
