@@ -71,9 +71,9 @@ int DeformTargets::parse(int iarg, int narg, char **arg, bool underline)
     viscosity_given = true;
     positive(number[ETA], true);
   } else {
-    Suspension_NS::InputNumber number;
-    number.value = servo_gain = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-    positive(number, false);
+    Suspension_NS::InputNumber one;
+    one.value = servo_gain = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+    positive(one, false);
   }
   return iarg + 2;
 }

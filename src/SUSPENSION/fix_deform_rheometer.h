@@ -25,7 +25,7 @@ FixStyle(deform/rheometer,FixDeformRheometer);
 namespace LAMMPS_NS::Rheometer_NS {
 struct Cell;
 struct Gradient;
-struct Motion;
+struct CellMotion;
 struct StrainMeans;
 }    // namespace LAMMPS_NS::Rheometer_NS
 
@@ -87,7 +87,7 @@ class FixDeformRheometer : public FixDeform {
   std::unique_ptr<class DeformStress> stress;
   std::unique_ptr<class DeformJudge> judge;
   std::unique_ptr<class ListKeeper> keeper;    // of the neighbor lists
-  std::unique_ptr<Rheometer_NS::Motion> motion;
+  std::unique_ptr<Rheometer_NS::CellMotion> motion;
   std::unique_ptr<Rheometer_NS::Cell> listed;    // cell when the lists were made
   bool fresh;                                    // the targets are new
   bool stepped;         // the cell has moved in this run; it does not in a rerun

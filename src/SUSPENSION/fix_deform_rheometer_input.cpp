@@ -83,7 +83,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
     FixDeform(lmp, static_cast<int>(args.size()), args.data()),
     flow(Rheometer_NS::SHEAR), targets(new DeformTargets(lmp, style)),
     judge(new DeformJudge(lmp, style)), keeper(new ListKeeper(lmp, this)),
-    motion(new Rheometer_NS::Motion()), listed(new Rheometer_NS::Cell()), fresh(true),
+    motion(new Rheometer_NS::CellMotion()), listed(new Rheometer_NS::Cell()), fresh(true),
     stepped(false), held(nullptr), from_restart(false)
 {
   Suspension_NS::require_spheres(lmp, "Fix deform/rheometer");

@@ -28,7 +28,7 @@ using namespace LAMMPS_NS;
 struct Saved {
   double flow = 0.0, fresh = 0.0;
   DeformTargets::Saved targets;
-  Rheometer_NS::Motion motion;
+  Rheometer_NS::CellMotion motion;
   DeformStress::Particles particles;
   DeformJudge::Watches watches;
   Rheometer_NS::StrainMeans means;

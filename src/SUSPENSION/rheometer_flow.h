@@ -88,7 +88,7 @@ inline Cell advance(const Cell &h, const Cell &rate, double dt)
 }
 
 // What a cell does, numbers only: restart files hold it as it is.
-struct Motion {
+struct CellMotion {
   double strain = 0.0, path = 0.0;    // sums of the rate and of its amount over time
   double time = 0.0;                  // since an oscillation began
   double rate = 0.0, dilation = 0.0;
@@ -97,7 +97,7 @@ struct Motion {
   double moved = 0.0;                          // time since then
 };
 
-inline void pass(Motion &m, double dt)
+inline void pass(CellMotion &m, double dt)
 {
   m.strain += m.rate * dt;
   m.path += std::fabs(m.rate) * dt;

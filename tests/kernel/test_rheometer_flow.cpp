@@ -109,9 +109,9 @@ struct Motion {
 };
 
 // forth and back: the strain is 0, its path is not
-TEST(Motion, CountsStrainAndItsPath)
+TEST(CellMotion, CountsStrainAndItsPath)
 {
-  Motion m;
+  CellMotion m;
   for (double rate : {2.0, -2.0}) {
     m.rate = rate;
     pass(m, 0.25);
