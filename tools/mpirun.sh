@@ -14,7 +14,7 @@ export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_defau
 export OMPI_MCA_btl_vader_single_copy_mechanism=none    # containers forbid it: a page of warnings otherwise
 export OMPI_MCA_btl_base_warn_component_unused=0
 if [ "$ranks" -gt "$(nproc)" ]; then export OMPI_MCA_mpi_yield_when_idle=1; fi
-
+export OMPI_MCA_odls_base_sigkill_timeout=${OMPI_MCA_odls_base_sigkill_timeout:-0}    # no second of waiting after an error
 
 # Looking for fast networks takes Open MPI 0.2 s of each start, and a daemon for a single rank 0.1 s more. Not for a rank
 # which another mpirun or srun has started, nor in a batch job.

@@ -127,17 +127,16 @@ void SceneAdviser::read_flow()
 
 void SceneAdviser::read_plates()
 {
-  enum { RATE = 1, PHI = 5, TARGET = 13 };
   const double stress = 1.0 / force->nktv2p;
   for (const auto &fix : modify->get_fix_by_style("^rheometer/plates$")) {
     walls = true;
-    if (fix->compute_vector(PHI) > 0.0) scene.phi = fix->compute_vector(PHI);
-    if (fix->compute_vector(RATE) != 0.0) scene.rate = fix->compute_vector(RATE);
-    const double target = fix->compute_vector(TARGET);
-    if (target > 0.0)
-      scene.pressure = target * stress;
+    const auto *plates = dynamic_cast<FixRheometerPlates *>(fix);
+    if (plates->phi() > 0.0) scene.phi = plates->phi();
+    if (plates->rate() != 0.0) scene.rate = plates->rate();
+    if (plates->imposed_pressure() > 0.0)
+      scene.pressure = plates->imposed_pressure() * stress;
     else
-      read_pressure(dynamic_cast<FixRheometerPlates *>(fix)->means(), 1.0);
+      read_pressure(plates->means(), 1.0);
   }
 }
 

@@ -15,7 +15,7 @@
 #include "background_fluid.h"
 #include "error.h"
 #include "exceptions.h"
-#include "fix.h"
+#include "fix_deform_rheometer.h"
 #include "group.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
@@ -37,7 +37,6 @@ using Scene_NS::UNKNOWN;
 
 static constexpr int BLOCKS = 10;    // of a run; the second half counts
 static constexpr int COUNTED = 5;
-static constexpr int PATH = 8;    // sum of |strain| in the output of fix deform/rheometer
 static constexpr char COLUMNS[] = "  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n";
 
 // what measuring an effect would need, that the deck does not have
@@ -179,8 +178,10 @@ SceneMeasurement::Measured SceneMeasurement::run_copy(const Parts &parts, int ns
   result.history_kept = copy.history_kept;
   result.strain = fabs(parts.rate) * nsteps * update->dt;
   if (parts.rate == 0.0) {
-    Fix *flow = copy.lmp->modify->get_fix_by_id(parts.flow->id);
-    result.strain = flow->compute_vector(PATH) - parts.flow->compute_vector(PATH);
+    auto path = [](Fix *flow) {
+      return dynamic_cast<FixDeformRheometer *>(flow)->strain_path();
+    };
+    result.strain = path(copy.lmp->modify->get_fix_by_id(parts.flow->id)) - path(parts.flow);
   }
   const double mine = copy.lmp->timer->get_cpu(Timer::TOTAL) / nsteps;
   MPI_Allreduce(&mine, &result.seconds, 1, MPI_DOUBLE, MPI_MAX, world);

@@ -10,7 +10,7 @@
 #include "scene_sampler.h"
 
 #include "compute.h"
-#include "fix.h"
+#include "fix_deform_rheometer.h"
 #include "modify.h"
 #include "scene_instance.h"
 #include "update.h"
@@ -42,8 +42,9 @@ SceneSampler::SceneSampler(const SceneInstance &copy, const Fix *flow, int every
       watch(fmt::format("c_scene_power[{}][1]", row), power);
   }
   if (utils::strmatch(flow->style, "^deform/rheometer")) {
-    watch(fmt::format("f_{}[2]", flow->id), rate);
-    watch(fmt::format("f_{}[3]", flow->id), phi);
+    using Output = FixDeformRheometer::Output;
+    watch(fmt::format("f_{}[{}]", flow->id, 1 + Output::RATE), rate);
+    watch(fmt::format("f_{}[{}]", flow->id, 1 + Output::PHI), phi);
   }
   copy.one(fmt::format("fix scene_samples all vector {}{}", every, values));
   samples = modify->get_fix_by_id("scene_samples");

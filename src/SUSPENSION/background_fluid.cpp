@@ -16,20 +16,14 @@
 #include "error.h"
 #include "fix.h"
 #include "fix_rheometer_plates.h"
-#include "input.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
 #include "suspension_host.h"
 #include "update.h"
-#include "variable.h"
 
 #include <algorithm>
-#include <cmath>
 
 using namespace LAMMPS_NS;
-
-// what fix rheometer/plates calls f_ID[3] and f_ID[4]
-static constexpr int GAP_OF_PLATES = 2, VELOCITY_OF_PLATES = 3;
 
 /* ---------------------------------------------------------------------- */
 
@@ -44,50 +38,15 @@ void BackgroundFluid::init()
   if (eta_of_pair && !Suspension_NS::viscosity_of_pair(lmp))
     error->all(FLERR, "Fix {} eta pair: {}; give the viscosity instead of pair", style,
                Suspension_NS::why_no_viscosity(lmp));
-  check_number(eta, "viscosity");
-  check_number(hindered, "hindrance");
-  for (const Suspension_NS::InputNumber &target : number) check_number(target, "flow");
-  for (Component &c : component) check_component(c);
+  eta.check(lmp, style.c_str(), "viscosity");
+  rule->init();
+  flow->init();
   if (isolated) check_isolated();
-  if (profile == PLATES) find_plates();
-  if (profile == CELL) check_cell();
   own.start(fix->groupbit);
   exclude_plates();
 }
 
 /* ---------------------------------------------------------------------- */
-
-void BackgroundFluid::check_number(const Suspension_NS::InputNumber &target, const char *what)
-{
-  target.check(lmp, style.c_str(), what);
-}
-
-/* ----------------------------------------------------------------------
-   of velocity and spin: equal-style or atom-style
-------------------------------------------------------------------------- */
-
-void BackgroundFluid::check_component(Component &c)
-{
-  if (c.target.is_number()) return;
-  Variable *variables = input->variable;
-  const std::string &name = c.target.variable;
-  const int found = variables->find(name.c_str());
-  if (found < 0) error->all(FLERR, "Variable {} for fix {} velocity does not exist", name, style);
-  c.per_atom = variables->atomstyle(found) != 0;
-  if (!c.per_atom && !variables->equalstyle(found))
-    error->all(FLERR, "Variable {} for fix {} velocity is neither equal- nor atom-style", name,
-               style);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void BackgroundFluid::find_plates()
-{
-  plates = dynamic_cast<FixRheometerPlates *>(modify->get_fix_by_id(plates_id));
-  if (!plates)
-    error->all(FLERR, "Fix {} plates: {} is not the ID of a fix rheometer/plates", style,
-               plates_id);
-}
 
 void BackgroundFluid::exclude_plates()
 {
@@ -103,60 +62,19 @@ void BackgroundFluid::exclude_plates()
   }
 }
 
-/* ----------------------------------------------------------------------
-   particles that cross the boundary must change their velocity as the flow does. Not by
-   domain->deform_flag, which fix deform sets only once the run is set up
-------------------------------------------------------------------------- */
-
-void BackgroundFluid::check_cell() const
-{
-  const auto deform = modify->get_fix_by_style("^deform");
-  if (deform.empty())
-    error->all(FLERR,
-               "Fix {} cell: the cell does not deform; use fix deform or fix "
-               "deform/rheometer, or another flow",
-               style);
-  if (!domain->deform_vremap)
-    error->all(FLERR,
-               "Fix {} cell needs velocities that follow the cell; add to fix deform: "
-               "remap v",
-               style);
-  if ((fix->groupbit & domain->deform_groupbit) != fix->groupbit && domain->deform_groupbit != 1)
-    error->all(FLERR, "Fix {} cell: use group all for fix {}", style, deform[0]->id);
-}
-
 /* ---------------------------------------------------------------------- */
 
 void BackgroundFluid::setup()
 {
-  if (profile == PLATES) plates->measure_surfaces(couette.low, couette.high);
+  flow->setup();
   new_step();
-}
-
-/* ----------------------------------------------------------------------
-   In each step, since particles come, go and grow. Another order of them rounds the sum differently:
-   then it stays as it was, and a continued run is the same
-------------------------------------------------------------------------- */
-
-void BackgroundFluid::measure_solid()
-{
-  double mine = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++)
-    mine += Suspension_NS::particle_volume(domain, atom->radius[i]);
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  if (!Suspension_NS::is_same_sum(solid, all)) solid = all;
 }
 
 /* ---------------------------------------------------------------------- */
 
 bool BackgroundFluid::has_variables() const
 {
-  if (!eta.is_number() || !hindered.is_number()) return true;
-  for (const Suspension_NS::InputNumber &target : number)
-    if (!target.is_number()) return true;
-  for (const Component &c : component)
-    if (!c.target.is_number()) return true;
-  return false;
+  return !eta.is_number() || !rule->number().is_number() || flow->has_variables();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -178,20 +96,17 @@ double BackgroundFluid::value_of(const std::string &variable) const
         "Suspension_scene measure cannot copy fix {}: variable {} has no value before the first "
         "run; add run 0",
         fix->id, variable);
-  for (const Component &c : component)
-    if (c.per_atom && c.target.variable == variable)
-      error->all(
-          FLERR,
-          "Suspension_scene measure cannot copy fix {}: variable {} is atom-style; the advice "
-          "without the word measure works here, too",
-          fix->id, variable);
-  std::vector<Suspension_NS::InputNumber> targets = {eta, hindered};
-  targets.insert(targets.end(), std::begin(number), std::end(number));
-  for (const Component &c : component) targets.push_back(c.target);
-  const auto found =
-      std::find_if(targets.begin(), targets.end(), [&](const Suspension_NS::InputNumber &t) {
-        return t.variable == variable;
-      });
+  if (flow->is_per_atom(variable))
+    error->all(FLERR,
+               "Suspension_scene measure cannot copy fix {}: variable {} is atom-style; the advice "
+               "without the word measure works here, too",
+               fix->id, variable);
+  std::vector<Suspension_NS::InputNumber> numbers = flow->numbers();
+  numbers.push_back(eta);
+  numbers.push_back(rule->number());
+  const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto &number) {
+    return number.variable == variable;
+  });
   return found->value;
 }
 
@@ -210,8 +125,8 @@ void BackgroundFluid::new_step()
   if (!(viscosity >= 0.0))
     error->all(FLERR, "Fix {} viscosity must be >= 0, but is {} at step {}", style, viscosity,
                update->ntimestep);
-  update_profile();
-  update_hindrance();
+  flow->new_step();
+  rule->new_step();
   if (variables) modify->addstep_compute(update->ntimestep + 1);
   if (isolated) count_partners();
 }
@@ -254,108 +169,15 @@ void BackgroundFluid::count_partners()
 
 /* ---------------------------------------------------------------------- */
 
-void BackgroundFluid::update_profile()
-{
-  for (Suspension_NS::InputNumber &target : number) target.evaluate(lmp);
-  if (profile == VELOCITY) update_components();
-  if (profile == PLATES) {
-    // lower plate at rest; a gap of zero is not yet known
-    const double gap = plates->compute_vector(GAP_OF_PLATES);
-    if (gap > 0.0) couette.high = couette.low + gap;
-    couette.v_high = plates->compute_vector(VELOCITY_OF_PLATES);
-  }
-  if (profile == COUETTE)
-    couette = {number[0].value, number[1].value, number[2].value, number[3].value};
-  if (profile == POISEUILLE) poiseuille = {number[0].value, number[1].value, number[2].value};
-
-  const double low = profile == COUETTE ? couette.low : poiseuille.low;
-  const double high = profile == COUETTE ? couette.high : poiseuille.high;
-  if ((profile == COUETTE || profile == POISEUILLE) && !(high > low))
-    error->all(FLERR,
-               "Fix {}: the upper wall must be above the lower one at y = {}, but is at {} "
-               "at step {}",
-               style, low, high, update->ntimestep);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void BackgroundFluid::update_components()
-{
-  for (Component &c : component) {
-    if (!c.per_atom) {
-      c.target.evaluate(lmp);
-      continue;
-    }
-    if (static_cast<int>(c.value.size()) < atom->nlocal) c.value.resize(atom->nmax);
-    input->variable->compute_atom(input->variable->find(c.target.variable.c_str()), fix->igroup,
-                                  c.value.data(), 1, 0);
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
-void BackgroundFluid::update_hindrance()
-{
-  hindered.evaluate(lmp);
-  double phi = hindered.value;
-  if (rule == MEASURED) measure_solid();
-  if (rule == MEASURED) phi = solid / Suspension_NS::cell_volume(domain);
-  if (rule != CONSTANT && !(phi >= 0.0 && phi < 1.0))
-    error->all(FLERR,
-               "Fix {} hindrance: the volume fraction must be >= 0 and < 1, but is {} at "
-               "step {}",
-               style, phi, update->ntimestep);
-  if (rule == CONSTANT && !(phi >= 0.0))
-    error->all(FLERR, "Fix {} hindrance must be >= 0, but is {} at step {}", style, phi,
-               update->ntimestep);
-  factor = rule == CONSTANT ? hindered.value : 1.0 / (1.0 - phi);
-}
-
-/* ---------------------------------------------------------------------- */
-
-Lubcontact_NS::Flow BackgroundFluid::flow(int i) const
-{
-  using namespace Lubcontact_NS;
-  const double *x = atom->x[i];
-  switch (profile) {
-    case SHEAR:
-      return shear_flow(number[0].value, x[1]);
-    case PLATES:
-    case COUETTE:
-      return couette_flow(couette, x[1]);
-    case POISEUILLE:
-      return poiseuille_flow(poiseuille, x[1]);
-    case CELL: {
-      const double *lo = domain->boxlo, *rate = domain->h_ratelo;
-      return cell_flow(domain->h_rate, domain->h_inv, {x[0], x[1], x[2]}, {lo[0], lo[1], lo[2]},
-                       {rate[0], rate[1], rate[2]});
-    }
-    case VELOCITY: {
-      double u[6];
-      for (int n = 0; n < 6; n++) {
-        const Component &c = component[n];
-        u[n] = c.per_atom ? c.value[i] : c.target.value;
-      }
-      return {{u[0], u[1], u[2]}, {u[3], u[4], u[5]}};
-    }
-    default:
-      return {};
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
-Lubcontact_NS::Drag BackgroundFluid::drag(int i) const
+Fluid_NS::Drag BackgroundFluid::drag(int i) const
 {
   if (isolated && partners[i] >= isolated) return {};
-  return Lubcontact_NS::drag(body, factor * viscosity, atom->radius[i]);
+  return Fluid_NS::drag(body, rule->factor() * viscosity, atom->radius[i]);
 }
 
 /* ---------------------------------------------------------------------- */
 
 double BackgroundFluid::memory_usage() const
 {
-  double bytes = sizeof(double) * partners.capacity();
-  for (const Component &c : component) bytes += sizeof(double) * c.value.capacity();
-  return bytes;
+  return sizeof(double) * partners.capacity() + flow->memory_usage();
 }

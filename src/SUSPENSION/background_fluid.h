@@ -10,13 +10,14 @@
 #ifndef LMP_BACKGROUND_FLUID_H
 #define LMP_BACKGROUND_FLUID_H
 
+#include "background_flow.h"
+#include "background_hindrance.h"
 #include "exclusive_particles.h"
-#include "lubcontact_background.h"
-#include "lubcontact_drag.h"
+#include "fluid_drag.h"
 #include "pointers.h"
 #include "suspension_input.h"
 
-#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,68 +33,44 @@ class BackgroundFluid : protected Pointers {
   void setup();       // at the start of a run, once neighbor lists exist
   void new_step();    // values of this step
 
-  Lubcontact_NS::Flow flow(int i) const;
-  Lubcontact_NS::Drag drag(int i) const;
-  Lubcontact_NS::Shape shape() const { return body; }
+  Fluid_NS::Flow flow_at(int i) const { return flow->at(i); }
+  Fluid_NS::Drag drag(int i) const;
   bool only_isolated() const { return isolated > 0; }
-  double hindrance() const { return factor; }
-  double solid;              // volume of all particles, for restart files
-  ExclusiveParticles own;    // not those of the plates, and what the fix adds
+  double hindrance() const { return rule->factor(); }
+  ExclusiveParticles &exclusive() { return own; }
+  const ExclusiveParticles &exclusive() const { return own; }
   double memory_usage() const;
+
+  // what a restart file holds
+  double kept() const { return rule->kept(); }
+  void keep(double from) { rule->keep(from); }
 
   // the arguments, as typed or with the present values of variables
   const std::string &typed() const { return words; }
   std::string settings_text() const;
 
- protected:
-  enum Profile { REST, SHEAR, CELL, PLATES, COUETTE, POISEUILLE, VELOCITY };
-  enum Hindrance { CONSTANT, FRACTION, MEASURED };
-  static constexpr int NUM_NUMBERS = 4;
-
-  class Fix *fix;
-  std::string style;
-  Suspension_NS::InputNumber eta;
-  std::string words;
-  bool evaluated;    // variables have values
+ private:
+  Fix *fix;
+  std::string style, words;
+  ExclusiveParticles own;            // not those of the plates, and what the fix adds
+  Suspension_NS::InputNumber eta;    // viscosity, pressure*time
   bool eta_of_pair;
-  Profile profile;
-  Suspension_NS::InputNumber number[NUM_NUMBERS];    // of the profile
-  std::string plates_id;
-  class FixRheometerPlates *plates;
-  Lubcontact_NS::Shape body;
-  Hindrance rule;
-  Suspension_NS::InputNumber hindered;    // factor or volume fraction
-  int isolated;                           // particles with fewer partners only, 0: all
-
-  // velocity and spin given by variables
-  struct Component {
-    Suspension_NS::InputNumber target;
-    bool per_atom = false;
-    std::vector<double> value;
-  };
-  std::array<Component, 6> component;
+  std::unique_ptr<BackgroundFlow> flow;
+  std::unique_ptr<BackgroundHindrance> rule;
+  Fluid_NS::Shape body;
+  int isolated;      // particles with fewer partners only, 0: all
+  bool evaluated;    // variables have values
 
   // of this step
-  double viscosity, factor;
-  Lubcontact_NS::Couette couette;
-  Lubcontact_NS::Poiseuille poiseuille;
+  double viscosity;
   std::vector<double> partners;
 
   void parse(int, char **);
-  void parse_profile(Profile, char **, int &, std::string &);
-  void parse_components(char **, int, int);
-  void parse_hindrance(int, char **, int &);
-  void check_component(Component &);
-  void check_number(const Suspension_NS::InputNumber &, const char *);
-  void find_plates();
-  void check_cell() const;
+  void parse_shape(int, char **);
+  void parse_isolated(int, char **, int &);
   void exclude_plates();
-  void measure_solid();
   void check_isolated() const;
   void count_partners();
-  void update_profile();
-  void update_hindrance();
-  void update_components();
   bool has_variables() const;
   double value_of(const std::string &) const;
 };

@@ -112,7 +112,7 @@ void ComputeMicrostructure::compute_fabric()
     if (p.frictional) fabric[FRICTIONAL].add(w, p.n);
     fabric[NORMAL].add(w * p.normal, p.n);
     const Vec3 friction =
-        Lubcontact_NS::force_by_channel(g, load)[Lubcontact_NS::CONTACT_TANGENTIAL];
+        Lubcontact_NS::force_by_channel(g, load).of[Lubcontact_NS::CONTACT_TANGENTIAL];
     fabric[FRICTION].add(w, p.n, friction, w * p.normal);
   });
   std::vector<double> sums;
@@ -226,6 +226,6 @@ void ComputeMicrostructure::add_direction(double w, int i, int j, const PairGeom
     return m == 0 ? a.x : (m == 1 ? a.y : a.z);
   };
   const double lever = w * g.r * component(g.n, stress_a);
-  for (const Vec3 &f : Lubcontact_NS::force_by_channel(g, load))
+  for (const Vec3 &f : Lubcontact_NS::force_by_channel(g, load).of)
     *sum++ += lever * component(f, stress_b);
 }

@@ -12,7 +12,7 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
-#include "fix.h"
+#include "fix_background_fluid.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
 #include "lubcontact_tally.h"
@@ -20,6 +20,7 @@
 #include "modify.h"
 #include "pair_lubcontact.h"
 #include "particle_inertia.h"
+#include "spin_inertia.h"
 #include "suspension_host.h"
 #include "uncounted_forces.h"
 #include "update.h"
@@ -35,7 +36,7 @@ static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 /* ---------------------------------------------------------------------- */
 
 ComputePowerPartition::ComputePowerPartition(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg)
+    Compute(lmp, narg, arg), inertia(new SpinInertia())
 {
   if (narg > 3)
     error->all(FLERR, 3, "Unknown compute power/partition argument: {}; it takes none", arg[3]);
@@ -65,9 +66,9 @@ void ComputePowerPartition::init()
   pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
   drags.clear();
-  for (const char *name : {"^drag/background", "^overdamped/sphere"})
-    for (auto &fix : modify->get_fix_by_style(name)) drags.push_back(fix);
-  inertia.find(lmp);
+  for (const auto &fix : modify->get_fix_list())
+    if (auto *drag = dynamic_cast<FixBackgroundFluid *>(fix)) drags.push_back(drag);
+  inertia->find(lmp);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -110,7 +111,7 @@ void ComputePowerPartition::compute_array()
   const Lubcontact_NS::Fluctuation f = Lubcontact_NS::fluctuation(all.inertia);
   array[KINETIC][1] += 0.5 * force->mvv2e * (f.xx + f.yy + f.zz);
   if (pairs.front()->tally().power_of_step())
-    for (auto &fix : drags) array[DRAG][0] += fix->compute_vector(fix->size_vector - 1);
+    for (auto &fix : drags) array[DRAG][0] += fix->mean_power();
 }
 
 /* ----------------------------------------------------------------------
@@ -124,7 +125,7 @@ double ComputePowerPartition::spin_energy() const
   for (int i = 0; i < atom->nlocal; i++) {
     if (atom->mask[i] & massless) continue;
     const double *omega = atom->omega[i];
-    sum += inertia.of(atom, i) * (omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
+    sum += inertia->of(atom, i) * (omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
   }
   return 0.5 * force->mvv2e * sum;
 }
@@ -160,14 +161,13 @@ double ComputePowerPartition::compute_scalar()
       -(l.xx * (r[0] + unit * f.xx) + l.yy * (r[1] + unit * f.yy) + l.zz * (r[2] + unit * f.zz) +
         l.xy * (r[6] + unit * f.xy) + l.xz * (r[7] + unit * f.xz) + l.yz * (r[8] + unit * f.yz));
   for (auto &fix : drags) {
-    // elements 5 to 7: torque of the fluid; its spin is half the curl of L
+    // the spin of the fluid is half the curl of L
     scalar += 0.5 *
-        (-l.yz * fix->compute_vector(4) + l.xz * fix->compute_vector(5) -
-         l.xy * fix->compute_vector(6));
-    // elements 2 to 4: its force; without inertia there is no energy of a drift
+        (-l.yz * fix->drag_torque(0) + l.xz * fix->drag_torque(1) - l.xy * fix->drag_torque(2));
+    // without inertia there is no energy of a drift
     if (!fix->time_integrate)
-      scalar -= drift.x * fix->compute_vector(1) + drift.y * fix->compute_vector(2) +
-          drift.z * fix->compute_vector(3);
+      scalar -= drift.x * fix->drag_force(0) + drift.y * fix->drag_force(1) +
+          drift.z * fix->drag_force(2);
   }
   return scalar;
 }

@@ -17,8 +17,8 @@ ComputeStyle(power/partition,ComputePowerPartition);
 #define LMP_COMPUTE_POWER_PARTITION_H
 
 #include "compute.h"
-#include "spin_inertia.h"
 
+#include <memory>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -34,8 +34,8 @@ class ComputePowerPartition : public Compute {
 
  protected:
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
-  std::vector<class Fix *> drags;               // they tell their power and torque
-  SpinInertia inertia;
+  std::vector<class FixBackgroundFluid *> drags;
+  std::unique_ptr<class SpinInertia> inertia;
 
   void require_tally() const;
   double spin_energy() const;

@@ -11,7 +11,9 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "compute.h"
+#include "deform_judge.h"
+#include "deform_stress.h"
+#include "deform_targets.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -22,7 +24,6 @@
 #include "pair.h"
 #include "rheometer_flow.h"
 #include "rheometer_list.h"
-#include "rheometer_mean.h"
 #include "rheometer_servo.h"
 #include "suspension_host.h"
 #include "uncounted_forces.h"
@@ -33,6 +34,7 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using Rheometer_NS::Cell;
+using Rheometer_NS::Flow;
 using Rheometer_NS::Gradient;
 
 static constexpr double ROUNDING = 1e-9;    // of a box length: more than a conversion of positions
@@ -78,15 +80,13 @@ void FixDeformRheometer::init()
                    "min_style {} overwrites the velocities of the flow; use min_style cg or sd",
                    minimizer);
 
-  pair_virial = modify->get_compute_by_id(virial_id);
-  if (!pair_virial) error->all(FLERR, "Compute {} of fix {} was deleted", virial_id, style);
-  check_variables();
-  if (!viscosity_given) find_viscosity();
+  targets->check_variables();
+  targets->find_viscosity();
   h_rate = domain->h_rate;
   h_ratelo = domain->h_ratelo;
   kspace_flag = force->kspace ? 1 : 0;
   varflag = 0;
-  measure_particles();
+  stress->init();
   publish_rates();
 }
 
@@ -105,10 +105,10 @@ void FixDeformRheometer::setup_pre_exchange()
   stepped = false;
   if (!fresh) return;    // goes on as it did
   fresh = false;
-  *averages = {};
-  if (confinement == VOLUME) dilation = 0.0;
+  stress->set_means({});
+  if (!targets->holds_pressure()) motion->dilation = 0.0;
   update_targets();
-  if (drive != STRESS) rate = next_rate();
+  if (targets->drive() != DeformTargets::STRESS) motion->rate = next_rate();
   set_gradient();
 }
 
@@ -183,7 +183,7 @@ void FixDeformRheometer::check_cell() const
                  "Fix {}: at strain {:.6g} the height {:.6g} of the cell along {} has come below "
                  "twice the cutoff {:.6g} of the pair style, so that a pair could meet through two "
                  "images: start from a larger cell or stop earlier",
-                 style, strain, height[d], "xyz"[d], cut);
+                 style, motion->strain, height[d], "xyz"[d], cut);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -191,7 +191,7 @@ void FixDeformRheometer::check_cell() const
 void FixDeformRheometer::setup(int /*vflag*/)
 {
   measure_stress();
-  pair_virial->addstep((update->ntimestep / nevery + 1) * nevery);
+  stress->announce((update->ntimestep / nevery + 1) * nevery);
 }
 
 /* ----------------------------------------------------------------------
@@ -209,7 +209,7 @@ void FixDeformRheometer::check_move(const Cell &old, const Cell &cell) const
   error->all(FLERR,
              "Fix {}: at step {} the cell would move by more than half an edge in one step, at a "
              "shear rate of {:.6g} and a step of {:.6g}: reduce the time step",
-             style, update->ntimestep, rate, update->dt);
+             style, update->ntimestep, motion->rate, update->dt);
 }
 
 /* ----------------------------------------------------------------------
@@ -219,14 +219,11 @@ void FixDeformRheometer::check_move(const Cell &old, const Cell &cell) const
 void FixDeformRheometer::post_integrate()
 {
   const double dt = update->dt;
-  strain += rate * dt;
-  path += fabs(rate) * dt;
-  time += dt;
-  moved += dt;
+  Rheometer_NS::pass(*motion, dt);
   stepped = true;
 
   const Cell old = {domain->xprd, domain->yprd, domain->zprd, domain->xy};
-  const Cell cell = Rheometer_NS::advance(old, *cell_rate, dt);
+  const Cell cell = Rheometer_NS::advance(old, motion->rate_of_cell, dt);
   check_move(old, cell);
   if (cell.lx != old.lx) domain->boxhi[0] = domain->boxlo[0] + cell.lx;
   if (cell.ly != old.ly) domain->boxhi[1] = domain->boxlo[1] + cell.ly;
@@ -270,19 +267,36 @@ void FixDeformRheometer::pre_exchange()
 void FixDeformRheometer::end_of_step()
 {
   measure_stress();
-  pair_virial->addstep(update->ntimestep + nevery);
+  stress->announce(update->ntimestep + nevery);
   if (!stepped) return;
-  Rheometer_NS::add(*averages, measured_pressure, measured_stress, rate * moved, moved);
+  stress->add_to_means(motion->rate * motion->moved, motion->moved);
 
-  if (has_variables()) modify->clearstep_compute();
+  if (targets->has_variables()) modify->clearstep_compute();
   update_targets();
-  if (has_variables()) modify->addstep_compute(update->ntimestep + nevery);
+  if (targets->has_variables()) modify->addstep_compute(update->ntimestep + nevery);
   const double rate_next = next_rate();
   const double dilation_next = next_dilation();
-  judge();
-  rate = rate_next;
-  dilation = dilation_next;
+  judge->judge(*targets, *stress, motion->rate, motion->dilation, trouton(), interval());
+  motion->rate = rate_next;
+  motion->dilation = dilation_next;
   set_gradient();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformRheometer::update_targets()
+{
+  targets->update();
+  stress->set_viscosity(force->nktv2p * targets->viscosity());
+}
+
+/* ----------------------------------------------------------------------
+   with what has become of the flow, whose particles move at a constant velocity
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::measure_stress()
+{
+  stress->measure(static_cast<Flow>(flow), Rheometer_NS::at_end(motion->gradient, motion->moved));
 }
 
 /* ----------------------------------------------------------------------
@@ -294,25 +308,64 @@ double FixDeformRheometer::interval() const
   return (nevery - update->ntimestep % nevery) * update->dt;
 }
 
+double FixDeformRheometer::trouton() const
+{
+  return Rheometer_NS::trouton_ratio(static_cast<Flow>(flow));
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixDeformRheometer::next_rate() const
+{
+  const double driven = targets->driven();
+  switch (targets->drive()) {
+    case DeformTargets::IV:
+      return driven * targets->pressure() / stress->material().eta;
+    case DeformTargets::OSCILLATE:
+      return Rheometer_NS::oscillation_rate(driven, targets->amplitude(), targets->frequency(),
+                                            motion->time, interval());
+    case DeformTargets::STRESS:
+      return Rheometer_NS::next_rate(stress->material(), motion->rate, stress->stress(), driven,
+                                     trouton(), interval());
+    default:
+      return driven;
+  }
+}
+
+double FixDeformRheometer::next_dilation() const
+{
+  if (!targets->holds_pressure()) return 0.0;
+  return Rheometer_NS::next_dilation(stress->material(), motion->dilation, stress->pressure(),
+                                     targets->pressure(), motion->rate, targets->gain(),
+                                     interval());
+}
+
 /* ----------------------------------------------------------------------
    new flow, in which the edges of the cell change at a constant velocity: so do the particles of
-   the flow, which need no further push until it is adjusted again. Now each gets the change of
-   velocity and of spin that keeps it in the flow
+   the flow, which need no further push until it is adjusted again
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::set_gradient()
 {
-  const Gradient next = Rheometer_NS::gradient(static_cast<Rheometer_NS::Flow>(flow),
-                                               domain->dimension, rate, dilation, interval());
-  const Gradient k = Rheometer_NS::change(*gradient, next, moved);
-  const double spin = -0.5 * (next.xy - gradient->xy);
-  *gradient = next;
-  *cell_rate =
+  const Gradient before = motion->gradient;
+  const Gradient next = Rheometer_NS::gradient(static_cast<Flow>(flow), domain->dimension,
+                                               motion->rate, motion->dilation, interval());
+  const Gradient k = Rheometer_NS::change(before, next, motion->moved);
+  motion->gradient = next;
+  motion->rate_of_cell =
       Rheometer_NS::cell_rate(next, {domain->xprd, domain->yprd, domain->zprd, domain->xy});
-  moved = 0.0;
+  motion->moved = 0.0;
   publish_rates();
-  if (k.xx == 0.0 && k.yy == 0.0 && k.zz == 0.0 && k.xy == 0.0) return;
+  push_particles(k, -0.5 * (next.xy - before.xy));
+}
 
+/* ----------------------------------------------------------------------
+   the change of velocity and of spin that keeps each particle in the flow
+------------------------------------------------------------------------- */
+
+void FixDeformRheometer::push_particles(const Gradient &k, double spin)
+{
+  if (k.xx == 0.0 && k.yy == 0.0 && k.zz == 0.0 && k.xy == 0.0) return;
   const double lo[3] = {domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]};
   const int nlocal = atom->nlocal;
   const int *mask = atom->mask;
@@ -334,10 +387,10 @@ void FixDeformRheometer::set_gradient()
 
 void FixDeformRheometer::publish_rates()
 {
-  h_rate[0] = cell_rate->lx;
-  h_rate[1] = cell_rate->ly;
-  h_rate[2] = cell_rate->lz;
+  h_rate[0] = motion->rate_of_cell.lx;
+  h_rate[1] = motion->rate_of_cell.ly;
+  h_rate[2] = motion->rate_of_cell.lz;
   h_rate[3] = h_rate[4] = 0.0;
-  h_rate[5] = cell_rate->xy;
+  h_rate[5] = motion->rate_of_cell.xy;
   h_ratelo[0] = h_ratelo[1] = h_ratelo[2] = 0.0;
 }

@@ -18,8 +18,6 @@ FixStyle(deform/rheometer,FixDeformRheometer);
 
 #include "fix_deform.h"
 
-#include "suspension_input.h"
-
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,14 +25,11 @@ FixStyle(deform/rheometer,FixDeformRheometer);
 namespace LAMMPS_NS::Rheometer_NS {
 struct Cell;
 struct Gradient;
-struct Material;
+struct CellMotion;
 struct StrainMeans;
-struct Watch;
 }    // namespace LAMMPS_NS::Rheometer_NS
 
 namespace LAMMPS_NS {
-
-class ListKeeper;
 
 // A FixDeform, because LAMMPS looks for one to make the velocities of ghost atoms; nothing of its
 // motion of the box is used, only its flip.
@@ -73,75 +68,48 @@ class FixDeformRheometer : public FixDeform {
   };
   Imposed imposed() const;
   std::string settings_text() const;
-  const Rheometer_NS::StrainMeans &means() const { return *averages; }
+  const Rheometer_NS::StrainMeans &means() const;
+  double strain_path() const;    // sum of |strain|
 
- protected:
+  // f_ID[1] and so on: see the manual; then the means
+  // clang-format off
+  struct Output {
+    enum { STRAIN, RATE, PHI, PRESSURE, STRESS, PRESSURE_TARGET, TARGET, DILATION, PATH, STATE,
+           MEANS };
+  };
+  // clang-format on
+
+ private:
   FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);
 
-  enum Drive { NONE_YET, RATE, IV, STRESS, OSCILLATE };
-  enum Confinement { OPEN, PRESSURE, VOLUME };
-
   int flow;    // Rheometer_NS::Flow
-  Drive drive;
-  Suspension_NS::InputNumber
-      driven;    // rate, viscous number or stress; mean rate of an oscillation
-  Suspension_NS::InputNumber amplitude, frequency;    // of an oscillation
-  Confinement confinement;
-  Suspension_NS::InputNumber pressure;
-  Suspension_NS::InputNumber viscosity;    // of the fluid
-  bool viscosity_given;
-  const double *pair_viscosity;    // that of the pair style, if not given
-  double gain;
-
-  // state, in the restart file
-  double strain, path, time, rate, dilation;
-  std::unique_ptr<Rheometer_NS::Gradient> gradient;    // since the flow was last adjusted
-  std::unique_ptr<Rheometer_NS::Cell>
-      cell_rate;    // and the change of the cell per time since then
-  double moved;     // time since then
-  std::unique_ptr<Rheometer_NS::Watch> watch_pressure, watch_stress, watch_rate;
-  std::unique_ptr<Rheometer_NS::StrainMeans> averages;    // of pressure and stress
-
-  double measured_pressure, measured_stress;    // of the particles, when last adjusted
-  int state;                                    // Rheometer_NS::State
-  bool fresh;                                   // the targets are new
-  bool stepped;    // the cell has moved in this run; it does not in a rerun
-  bool warned, warned_every;
-  static constexpr int NUM_PARTICLES = 4;
-  double particles[NUM_PARTICLES];    // sums of volume, mass, radius, number
-  std::unique_ptr<Rheometer_NS::Material> material;
-  class Compute *pair_virial;
-  std::string virial_id;
-  std::unique_ptr<ListKeeper> keeper;            // of the neighbor lists
-  std::unique_ptr<Rheometer_NS::Cell> listed;    // cell when they were made
+  std::unique_ptr<class DeformTargets> targets;
+  std::unique_ptr<class DeformStress> stress;
+  std::unique_ptr<class DeformJudge> judge;
+  std::unique_ptr<class ListKeeper> keeper;    // of the neighbor lists
+  std::unique_ptr<Rheometer_NS::CellMotion> motion;
+  std::unique_ptr<Rheometer_NS::Cell> listed;    // cell when the lists were made
+  bool fresh;                                    // the targets are new
+  bool stepped;         // the cell has moved in this run; it does not in a rerun
   double **held;        // positions before LAMMPS converts them to lamda coordinates and back
   bool from_restart;    // held comes from the restart file
 
   int parse(int, int, char **, bool);
-  int parse_drive(int, int, char **, bool);
-  void need_values(const char *, int, int) const;
   int parse_flow(int, const char *) const;
-  bool parse_lists(int, const char *) const;
   void check_directions() const;
-  void check_variables() const;
-  bool has_variables() const;
-  void update_targets();
   void check_cell() const;
   void check_move(const Rheometer_NS::Cell &, const Rheometer_NS::Cell &) const;
   void restore_positions();
-  void find_viscosity();
-  void add_particle(int, bool, double *) const;
-  void take_particles(const double *);
-  void measure_particles();
+  void start_list();
+  void keep_list(const Rheometer_NS::Cell &);
+  void update_targets();
   void measure_stress();
   double next_rate() const;
   double next_dilation() const;
-  void judge();
-  void judge_stress();
+  double trouton() const;
   double interval() const;
   void set_gradient();
-  void start_list();
-  void keep_list(const Rheometer_NS::Cell &);
+  void push_particles(const Rheometer_NS::Gradient &, double);
   void publish_rates();
 };
 

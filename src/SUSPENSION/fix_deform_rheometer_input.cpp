@@ -7,9 +7,14 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
+// Arguments of fix deform/rheometer, and what it tells others.
+
 #include "fix_deform_rheometer.h"
 
 #include "atom.h"
+#include "deform_judge.h"
+#include "deform_stress.h"
+#include "deform_targets.h"
 #include "domain.h"
 #include "error.h"
 #include "list_keeper.h"
@@ -17,7 +22,6 @@
 #include "modify.h"
 #include "rheometer_flow.h"
 #include "rheometer_mean.h"
-#include "rheometer_servo.h"
 #include "suspension_host.h"
 #include "suspension_input.h"
 #include "update.h"
@@ -28,8 +32,12 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr int VECTOR_SIZE = 10 + Rheometer_NS::MEAN_OUTPUTS;
 static constexpr int EVERY = 8;    // steps: far below the lag of the servos
+
+static void need_values(LAMMPS *lmp, const std::string &style, const char *usage, int given)
+{
+  Suspension_NS::require_words(FLERR, lmp->error, "fix " + style, given, usage);
+}
 
 /* ----------------------------------------------------------------------
    what the parent is told: the directions that may move, so that no other fix moves them, too
@@ -73,19 +81,14 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg) :
 FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
                                        std::vector<char *> args) :
     FixDeform(lmp, static_cast<int>(args.size()), args.data()),
-    flow(Rheometer_NS::SHEAR), drive(NONE_YET), confinement(OPEN), viscosity_given(false),
-    pair_viscosity(nullptr), gain(1.0), strain(0.0), path(0.0), time(0.0), rate(0.0), dilation(0.0),
-    gradient(new Rheometer_NS::Gradient()), cell_rate(new Rheometer_NS::Cell()), moved(0.0),
-    watch_pressure(new Rheometer_NS::Watch()), watch_stress(new Rheometer_NS::Watch()),
-    watch_rate(new Rheometer_NS::Watch()), averages(new Rheometer_NS::StrainMeans()),
-    measured_pressure(0.0), measured_stress(0.0), state(Rheometer_NS::IDLE), fresh(true),
-    stepped(false), warned(false), warned_every(false), particles(),
-    material(new Rheometer_NS::Material()), pair_virial(nullptr), keeper(new ListKeeper(lmp, this)),
-    listed(new Rheometer_NS::Cell()), held(nullptr), from_restart(false)
+    flow(Rheometer_NS::SHEAR), targets(new DeformTargets(lmp, style)),
+    judge(new DeformJudge(lmp, style)), keeper(new ListKeeper(lmp, this)),
+    motion(new Rheometer_NS::CellMotion()), listed(new Rheometer_NS::Cell()), fresh(true),
+    stepped(false), held(nullptr), from_restart(false)
 {
   Suspension_NS::require_spheres(lmp, "Fix deform/rheometer");
   vector_flag = 1;
-  size_vector = VECTOR_SIZE;
+  size_vector = Output::MEANS + Rheometer_NS::MEAN_OUTPUTS;
   extvector = 0;
   global_freq = 1;
   nevery = EVERY;
@@ -98,15 +101,15 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
   double start = 0.0;
   for (int iarg = 3; iarg < narg;) {
     if (strcmp(arg[iarg], "flow") == 0) {
-      need_values("flow shear|planar|uniaxial", iarg, narg);
+      need_values(lmp, style, "flow shear|planar|uniaxial", narg - iarg);
       flow = parse_flow(iarg + 1, arg[iarg + 1]);
       iarg += 2;
     } else if (strcmp(arg[iarg], "start") == 0) {
-      need_values("start g", iarg, narg);
+      need_values(lmp, style, "start g", narg - iarg);
       start = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
       iarg += 2;
     } else if (strcmp(arg[iarg], "every") == 0) {
-      need_values("every n", iarg, narg);
+      need_values(lmp, style, "every n", narg - iarg);
       nevery = utils::inumeric(FLERR, arg[iarg + 1], false, lmp);
       if (nevery < 1)
         error->all(FLERR, iarg + 1, "Fix {} every must be > 0, but is {}", style, arg[iarg + 1]);
@@ -115,20 +118,14 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
       iarg = parse(iarg, narg, arg, true);
     }
   }
-  if (drive == NONE_YET)
-    error->all(FLERR, "Fix {} needs one of: rate, iv, stress, oscillate", style);
-  if (confinement == OPEN) error->all(FLERR, "Fix {} needs one of: pressure, volume", style);
-  for (int iarg = 3; iarg < narg; iarg++)
-    if (confinement == VOLUME && strcmp(arg[iarg], "gain") == 0)
-      error->all(FLERR, iarg, "Fix {} gain cannot act at constant volume", style);
+  targets->check_complete(narg, arg);
   check_directions();
 
   // the particles are taken to follow this flow already
-  rate = start;
-  *gradient = Rheometer_NS::gradient(static_cast<Rheometer_NS::Flow>(flow), domain->dimension,
-                                     start, 0.0, update->dt);
-  virial_id = std::string(id) + "_virial";
-  pair_virial = modify->add_compute(virial_id + " all pressure NULL pair");
+  motion->rate = start;
+  motion->gradient = Rheometer_NS::gradient(static_cast<Rheometer_NS::Flow>(flow),
+                                            domain->dimension, start, 0.0, update->dt);
+  stress = std::make_unique<DeformStress>(lmp, this);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
   FixDeformRheometer::grow_arrays(atom->nmax);
@@ -138,7 +135,6 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
 
 FixDeformRheometer::~FixDeformRheometer()
 {
-  if (modify->get_compute_by_id(virial_id)) modify->delete_compute(virial_id);
   if (modify->get_fix_by_id(id)) {
     atom->delete_callback(id, Atom::GROW);
     atom->delete_callback(id, Atom::RESTART);
@@ -178,123 +174,16 @@ void FixDeformRheometer::check_directions() const
    one keyword with its values, of fix or fix_modify; returns the next position
 ------------------------------------------------------------------------- */
 
-int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool pointer)
+int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool underline)
 {
-  const std::string key = arg[iarg];
-  if (key == "rate" || key == "iv" || key == "stress" || key == "oscillate")
-    return parse_drive(iarg, narg, arg, pointer);
-
-  const int where = pointer ? iarg : Error::NOPOINTER;
-  auto set_confinement = [&](Confinement to) {
-    if (pointer && confinement != OPEN)
-      error->all(FLERR, where, "Fix {} takes one of pressure, volume; {} is one too many", style,
-                 key);
-    confinement = to;
-  };
-  auto positive = [&](const Suspension_NS::InputNumber &target, bool zero) {
-    if (target.is_number() && !(zero ? target.value >= 0.0 : target.value > 0.0))
-      error->all(FLERR, pointer ? iarg + 1 : where, "Fix {} {} must be {} 0, but is {}", style, key,
-                 zero ? ">=" : ">", arg[iarg + 1]);
-  };
-
-  if (key == "volume") {
-    set_confinement(VOLUME);
-    return iarg + 1;
-  }
-  if (key == "lists") {
-    need_values("lists affine|lammps", iarg, narg);
-    keeper->on = parse_lists(where, arg[iarg + 1]);
-    return iarg + 2;
-  }
-  if (key != "pressure" && key != "viscosity" && key != "gain")
-    error->all(FLERR, where,
-               pointer
-                   ? "Unknown fix {} keyword: {}"
-                   : "Fix {} {} cannot be changed by fix_modify; what can is: rate, iv, stress, "
-                     "oscillate, pressure, volume, viscosity, gain, lists",
-               style, key);
-  need_values(key == "pressure"   ? "pressure P"
-                  : key == "gain" ? "gain K"
-                                  : "viscosity eta",
-              iarg, narg);
-  if (key == "pressure") {
-    set_confinement(PRESSURE);
-    pressure = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
-    positive(pressure, false);
-  } else if (key == "viscosity") {
-    viscosity = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
-    viscosity_given = true;
-    positive(viscosity, true);
-  } else {
-    Suspension_NS::InputNumber number;
-    number.value = gain = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-    positive(number, false);
-  }
+  if (strcmp(arg[iarg], "lists") != 0) return targets->parse(iarg, narg, arg, underline);
+  need_values(lmp, style, "lists affine|lammps", narg - iarg);
+  const std::string word = arg[iarg + 1];
+  if (word != "affine" && word != "lammps")
+    error->all(FLERR, underline ? iarg : Error::NOPOINTER,
+               "Fix {} lists must be affine or lammps, but is {}", style, word);
+  keeper->on = word == "affine";
   return iarg + 2;
-}
-
-/* ----------------------------------------------------------------------
-   who decides when neighbor lists are made anew
-------------------------------------------------------------------------- */
-
-bool FixDeformRheometer::parse_lists(int where, const char *word) const
-{
-  if (strcmp(word, "affine") == 0) return true;
-  if (strcmp(word, "lammps") != 0)
-    error->all(FLERR, where, "Fix {} lists must be affine or lammps, but is {}", style, word);
-  return false;
-}
-
-/* ---------------------------------------------------------------------- */
-
-int FixDeformRheometer::parse_drive(int iarg, int narg, char **arg, bool pointer)
-{
-  const std::string key = arg[iarg];
-  if (pointer && drive != NONE_YET)
-    error->all(FLERR, iarg, "Fix {} takes one of rate, iv, stress, oscillate; {} is one too many",
-               style, key);
-  need_values(key == "oscillate"  ? "oscillate g0 g1 w"
-                  : key == "rate" ? "rate g"
-                  : key == "iv"   ? "iv v"
-                                  : "stress s",
-              iarg, narg);
-  driven = Suspension_NS::InputNumber(lmp, arg[iarg + 1]);
-  drive = key == "rate" ? RATE : key == "iv" ? IV : key == "stress" ? STRESS : OSCILLATE;
-  amplitude = frequency = Suspension_NS::InputNumber();
-  if (drive != OSCILLATE) return iarg + 2;
-  time = 0.0;    // of the oscillation
-  amplitude = Suspension_NS::InputNumber(lmp, arg[iarg + 2]);
-  frequency = Suspension_NS::InputNumber(lmp, arg[iarg + 3]);
-  return iarg + 4;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixDeformRheometer::need_values(const char *usage, int iarg, int narg) const
-{
-  Suspension_NS::require_words(FLERR, error, std::string("fix ") + style, narg - iarg, usage);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixDeformRheometer::check_variables() const
-{
-  static constexpr const char *NAME[] = {"", "rate", "iv", "stress", "oscillate"};
-  driven.check(lmp, style, NAME[drive]);
-  amplitude.check(lmp, style, NAME[OSCILLATE]);
-  frequency.check(lmp, style, NAME[OSCILLATE]);
-  pressure.check(lmp, style, "pressure");
-  viscosity.check(lmp, style, "viscosity");
-}
-
-/* ---------------------------------------------------------------------- */
-
-bool FixDeformRheometer::has_variables() const
-{
-  for (const Suspension_NS::InputNumber *target :
-       {&driven, &amplitude, &frequency, &pressure, &viscosity})
-    if (!target->is_number()) return true;
-  return false;
 }
 
 /* ----------------------------------------------------------------------
@@ -304,12 +193,10 @@ bool FixDeformRheometer::has_variables() const
 int FixDeformRheometer::modify_param(int narg, char **arg)
 {
   const int next = parse(0, narg, arg, false);
-  check_variables();    // a run with "pre no" does not
-  *watch_pressure = Rheometer_NS::Watch();
-  *watch_stress = Rheometer_NS::Watch();
-  *watch_rate = Rheometer_NS::Watch();
+  if (strcmp(arg[0], "oscillate") == 0) motion->time = 0.0;
+  targets->check_variables();    // a run with "pre no" does not
+  judge->start_anew();
   fresh = true;
-  warned = false;
   return next;
 }
 
@@ -319,17 +206,19 @@ int FixDeformRheometer::modify_param(int narg, char **arg)
 
 FixDeformRheometer::Imposed FixDeformRheometer::imposed() const
 {
-  const bool steady = flow == Rheometer_NS::SHEAR && drive != OSCILLATE;
-  Imposed now = {NAN, NAN, NAN, steady, drive == RATE, confinement == PRESSURE};
-  if (drive == IV && driven.value != 0.0)
-    now.iv = driven.value;
-  else if (drive == OSCILLATE)
-    now.rate = fabs(driven.value) + fabs(amplitude.value);
-  else if (drive == RATE && driven.value != 0.0)
-    now.rate = driven.value;
-  else if (rate != 0.0)
-    now.rate = rate;
-  const double p = confinement == PRESSURE ? pressure.value : measured_pressure;
+  const auto drive = targets->drive();
+  const double driven = targets->driven();
+  const bool steady = flow == Rheometer_NS::SHEAR && drive != DeformTargets::OSCILLATE;
+  Imposed now = {NAN, NAN, NAN, steady, drive == DeformTargets::RATE, targets->holds_pressure()};
+  if (drive == DeformTargets::IV && driven != 0.0)
+    now.iv = driven;
+  else if (drive == DeformTargets::OSCILLATE)
+    now.rate = fabs(driven) + fabs(targets->amplitude());
+  else if (drive == DeformTargets::RATE && driven != 0.0)
+    now.rate = driven;
+  else if (motion->rate != 0.0)
+    now.rate = motion->rate;
+  const double p = targets->holds_pressure() ? targets->pressure() : stress->pressure();
   if (p > 0.0) now.pressure = p;
   return now;
 }
@@ -337,15 +226,49 @@ FixDeformRheometer::Imposed FixDeformRheometer::imposed() const
 std::string FixDeformRheometer::settings_text() const
 {
   static constexpr const char *FLOW_NAME[] = {"shear", "planar", "uniaxial"};
-  static constexpr const char *DRIVE_NAME[] = {"", "rate", "iv", "stress", "oscillate"};
-  std::string text = fmt::format("flow {} every {} {} {}", FLOW_NAME[flow], nevery,
-                                 DRIVE_NAME[drive], driven.value);
-  if (drive == OSCILLATE) text += fmt::format(" {} {}", amplitude.value, frequency.value);
-  if (confinement == PRESSURE)
-    text += fmt::format(" pressure {} gain {}", pressure.value, gain);
-  else
-    text += " volume";
-  if (viscosity_given) text += fmt::format(" viscosity {}", viscosity.value);
-  if (!keeper->on) text += " lists lammps";
-  return text;
+  return fmt::format("flow {} every {} {}{}", FLOW_NAME[flow], nevery, targets->settings_text(),
+                     keeper->on ? "" : " lists lammps");
+}
+
+/* ---------------------------------------------------------------------- */
+
+const Rheometer_NS::StrainMeans &FixDeformRheometer::means() const
+{
+  return stress->means();
+}
+
+double FixDeformRheometer::strain_path() const
+{
+  return motion->path;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixDeformRheometer::compute_vector(int n)
+{
+  switch (n) {
+    case Output::STRAIN:
+      return motion->strain;
+    case Output::RATE:
+      return motion->rate;
+    case Output::PHI:
+      return stress->phi();
+    case Output::PRESSURE:
+      return stress->pressure();
+    case Output::STRESS:
+      return stress->stress();
+    case Output::PRESSURE_TARGET:
+      return targets->holds_pressure() ? targets->pressure() : 0.0;
+    case Output::TARGET:
+      return targets->driven();
+    case Output::DILATION:
+      return motion->dilation;
+    case Output::PATH:
+      return motion->path;
+    case Output::STATE:
+      return judge->state();
+    default:
+      return Rheometer_NS::mean_output(stress->means(), n - Output::MEANS, stress->pressure(),
+                                       stress->stress());
+  }
 }

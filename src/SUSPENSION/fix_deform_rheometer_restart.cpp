@@ -11,27 +11,29 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "deform_judge.h"
+#include "deform_stress.h"
+#include "deform_targets.h"
 #include "error.h"
 #include "list_keeper.h"
 #include "memory.h"
 #include "restart_seal.h"
 #include "rheometer_flow.h"
-#include "rheometer_mean.h"
-#include "rheometer_servo.h"
 
-#include <algorithm>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 
-// clang-format off
-enum { SIZE, FLOW, DRIVE, DRIVEN, AMPLITUDE, FREQUENCY, CONFINEMENT, PRESSED, FRESH,
-       STRAIN, PATH, TIME, NOW_RATE, NOW_DILATION, XX, YY, ZZ, XY, LX, LY, LZ, TILT, MOVED,
-       P_MEAN, P_AGE, S_MEAN, S_AGE, R_MEAN, R_AGE, PARTICLES };
-// clang-format on
-static constexpr int MEANS = PARTICLES + 4;
-static constexpr int SEAL = MEANS + sizeof(Rheometer_NS::StrainMeans) / sizeof(double);
-static constexpr int RESTART_SIZE = SEAL + 1;
+// what a restart file holds
+struct Saved {
+  double flow = 0.0, fresh = 0.0;
+  DeformTargets::Saved targets;
+  Rheometer_NS::CellMotion motion;
+  DeformStress::Particles particles;
+  DeformJudge::Watches watches;
+  Rheometer_NS::StrainMeans means;
+};
+
 static constexpr int PERATOM_RESTART = 4;    // this size, position
 
 /* ---------------------------------------------------------------------- */
@@ -39,84 +41,36 @@ static constexpr int PERATOM_RESTART = 4;    // this size, position
 void FixDeformRheometer::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  double buf[RESTART_SIZE] = {RESTART_SIZE,
-                              static_cast<double>(flow),
-                              static_cast<double>(drive),
-                              driven.value,
-                              amplitude.value,
-                              frequency.value,
-                              static_cast<double>(confinement),
-                              pressure.value,
-                              static_cast<double>(fresh),
-                              strain,
-                              path,
-                              time,
-                              rate,
-                              dilation,
-                              gradient->xx,
-                              gradient->yy,
-                              gradient->zz,
-                              gradient->xy,
-                              cell_rate->lx,
-                              cell_rate->ly,
-                              cell_rate->lz,
-                              cell_rate->xy,
-                              moved,
-                              watch_pressure->deviation,
-                              watch_pressure->age,
-                              watch_stress->deviation,
-                              watch_stress->age,
-                              watch_rate->deviation,
-                              watch_rate->age,
-                              particles[0],
-                              particles[1],
-                              particles[2],
-                              particles[3]};
-  memcpy(buf + MEANS, averages.get(), sizeof(*averages));
-  buf[SEAL] = Suspension_NS::seal(buf, SEAL * sizeof(double));
-  const int size = sizeof(buf);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(buf, 1, size, fp);
+  Saved now;
+  now.flow = flow;
+  now.fresh = fresh;
+  now.targets = targets->saved();
+  now.motion = *motion;
+  now.particles = stress->particles();
+  now.watches = judge->watches();
+  now.means = stress->means();
+  Suspension_NS::write_sealed(fp, now);
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixDeformRheometer::restart(char *buf)
+void FixDeformRheometer::restart(char *buffer)
 {
-  double from[RESTART_SIZE];
-  memcpy(from, buf, sizeof(double));
-  if (from[SIZE] != RESTART_SIZE)
-    error->all(FLERR, "Fix {} cannot read the restart file of another version of it", style);
-  memcpy(from, buf, sizeof(from));
-  if (Suspension_NS::seal(from, SEAL * sizeof(double)) != from[SEAL])
-    error->all(FLERR, "The part of fix {} in the restart file is damaged: use another one", style);
-  if (from[FLOW] != flow)
+  Saved from{};
+  if (const char *wrong = Suspension_NS::read_sealed(buffer, from))
+    error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
+  if (from.flow != flow)
     error->all(FLERR, "Fix {} cannot go on from a restart file with another flow", style);
-  strain = from[STRAIN];
-  path = from[PATH];
-  time = from[TIME];
-  rate = from[NOW_RATE];
-  dilation = from[NOW_DILATION];
-  *gradient = {from[XX], from[YY], from[ZZ], from[XY]};
-  *cell_rate = {from[LX], from[LY], from[LZ], from[TILT]};
-  moved = from[MOVED];
+  *motion = from.motion;
+  stress->set_particles(from.particles);
 
   // other targets than in the run that wrote the file begin at once, as after fix_modify
-  const bool other_wave = (frequency.is_number() && frequency.value != from[FREQUENCY]) ||
-      (amplitude.is_number() && amplitude.value != from[AMPLITUDE]);
-  const bool turned = drive != from[DRIVE] || (drive == OSCILLATE && other_wave);
-  const bool moved_target = turned || confinement != from[CONFINEMENT] ||
-      (driven.is_number() && driven.value != from[DRIVEN]) ||
-      (pressure.is_number() && pressure.value != from[PRESSED]);
-  fresh = moved_target || from[FRESH] != 0.0;
-  if (turned) time = 0.0;
-  if (!moved_target) {
-    memcpy(static_cast<void *>(averages.get()), from + MEANS, sizeof(*averages));
-    *watch_pressure = {from[P_MEAN], from[P_AGE]};
-    *watch_stress = {from[S_MEAN], from[S_AGE]};
-    *watch_rate = {from[R_MEAN], from[R_AGE]};
-  }
-  std::copy_n(from + PARTICLES, 4, particles);
+  const bool others = targets->differ_from(from.targets);
+  fresh = others || from.fresh != 0.0;
+  if (targets->turned_from(from.targets)) motion->time = 0.0;
+  if (others) return;
+  stress->set_means(from.means);
+  judge->set_watches(from.watches);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -16,6 +16,7 @@
 #include "force.h"
 #include "modify.h"
 #include "restart_seal.h"
+#include "spin_inertia.h"
 #include "update.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using Lubcontact_NS::Vec3;
+using Fluid_NS::Vec3;
 
 // fixes that may come later: they read forces, or set them whatever they were
 static const char *const READERS[] = {"enforce2d", "setforce", "freeze", "store/force",
@@ -31,7 +32,7 @@ static const char *const READERS[] = {"enforce2d", "setforce", "freeze", "store/
 
 // what a restart file holds
 struct Saved {
-  double energy, solid;
+  double energy, kept;
 };
 
 static Vec3 vector(const double *a)
@@ -58,17 +59,10 @@ static void add(const Vec3 &a, double *to)
 ------------------------------------------------------------------------- */
 
 FixDragBackground::FixDragBackground(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid(new BackgroundFluid(lmp, this, narg, arg)), sums(), mean_power(0.0),
-    power(0.0), energy(0.0)
+    FixBackgroundFluid(lmp, narg, arg), inertia(new SpinInertia()), power(0.0), energy(0.0)
 {
-  dynamic_group_allow = 1;
-  restart_global = 1;
   scalar_flag = 1;
   extscalar = 1;
-  vector_flag = 1;
-  size_vector = NUM_SUMS + 2;
-  extvector = 0;
-  global_freq = 1;
   ecouple_flag = 1;
 }
 
@@ -87,7 +81,7 @@ void FixDragBackground::init()
 {
   fluid->init();
   check_order();
-  inertia.find(lmp);
+  inertia->find(lmp);
 }
 
 /* ----------------------------------------------------------------------
@@ -105,13 +99,13 @@ void FixDragBackground::check_order()
       return kind == reader;
     });
     if (kind == style)
-      fluid->own.forbid(other->groupbit, [this, name](const std::string &who) {
+      fluid->exclusive().forbid(other->groupbit, [this, name](const std::string &who) {
         return fmt::format("Fixes {} and {} both drag the same particles, {}: one drag/background "
                            "each; give them groups without common particles",
                            id, name, who);
       });
     else if (!reads)
-      fluid->own.forbid(other->groupbit, [this, name, kind](const std::string &who) {
+      fluid->exclusive().forbid(other->groupbit, [this, name, kind](const std::string &who) {
         return fmt::format("Fix {} {} adds forces after fix drag/background, which must know them "
                            "all to integrate the drag of {}: define fix {} after fix {}",
                            name, kind, who, id, name);
@@ -119,7 +113,7 @@ void FixDragBackground::check_order()
   }
   for (const auto &other : modify->get_fix_by_style("^overdamped")) {
     const std::string name = other->id, kind = other->style;
-    fluid->own.forbid(other->groupbit, [name, kind](const std::string &who) {
+    fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
       return fmt::format("Fix drag/background acts on {} of fix {} {}, which drags them by itself",
                          who, name, kind);
     });
@@ -132,7 +126,7 @@ void FixDragBackground::setup(int /*vflag*/)
 {
   fluid->setup();
   drag_all(true);
-  mean_power = 0.0;    // no step yet
+  step_power = 0.0;    // no step yet
 }
 
 void FixDragBackground::post_force(int /*vflag*/)
@@ -141,11 +135,11 @@ void FixDragBackground::post_force(int /*vflag*/)
   fluid->new_step();
   drag_all(false);
   energy += 0.5 * update->dt * (before + power);
-  mean_power = 0.5 * (dissipated + sums[POWER]);
+  step_power = 0.5 * (dissipated + sums[POWER]);
 }
 
 /* ----------------------------------------------------------------------
-   velocities are those of the last half step, or of the full step in a set-up; see lubcontact_drag.h
+   velocities are those of the last half step, or of the full step in a set-up; see fluid_drag.h
 ------------------------------------------------------------------------- */
 
 void FixDragBackground::drag_all(bool full)
@@ -156,9 +150,9 @@ void FixDragBackground::drag_all(bool full)
   // damps what acts on v; returns the mean drag, and adds what it takes from the particle
   auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &fluid_v, double *f) {
     const double x = coefficient * dt / mass;
-    const double mean = full ? Lubcontact_NS::mean_drag_full(x) : Lubcontact_NS::mean_drag(x);
+    const double mean = full ? Fluid_NS::mean_drag_full(x) : Fluid_NS::mean_drag(x);
     const Vec3 others = vector(f);
-    const Vec3 all = Lubcontact_NS::damped(mean, coefficient, others, v, fluid_v);
+    const Vec3 all = Fluid_NS::damped(mean, coefficient, others, v, fluid_v);
     const Vec3 now = full ? v : v + (0.5 * dt / mass) * all;    // at the full step
     put(all, f);
     const Vec3 mine = all - others;
@@ -168,13 +162,13 @@ void FixDragBackground::drag_all(bool full)
   };
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    fluid->own.check(atom->mask[i]);
-    const Lubcontact_NS::Drag drag = fluid->drag(i);
+    fluid->exclusive().check(atom->mask[i]);
+    const Fluid_NS::Drag drag = fluid->drag(i);
     if (drag.translation == 0.0) continue;
-    const Lubcontact_NS::Flow flow = fluid->flow(i);
+    const Fluid_NS::Flow flow = fluid->flow_at(i);
     add(damp(drag.translation, atom->rmass[i], vector(atom->v[i]), flow.velocity, atom->f[i]),
         &sums[FORCE]);
-    add(damp(drag.rotation, inertia.of(atom, i), vector(atom->omega[i]), flow.spin,
+    add(damp(drag.rotation, inertia->of(atom, i), vector(atom->omega[i]), flow.spin,
              atom->torque[i]),
         &sums[TORQUE]);
     sums[NUMBER] += 1.0;
@@ -192,40 +186,18 @@ double FixDragBackground::compute_scalar()
   return all;
 }
 
-/* ----------------------------------------------------------------------
-   dissipated power, force, torque, number of particles that feel the drag, hindrance, and the
-   dissipated power as the mean of the last step
-------------------------------------------------------------------------- */
-
-double FixDragBackground::compute_vector(int n)
-{
-  if (n == NUM_SUMS) return fluid->hindrance();
-  const double mine = n < NUM_SUMS ? sums[n] : mean_power;
-  double all;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
-}
-
 /* ---------------------------------------------------------------------- */
 
 void FixDragBackground::write_restart(FILE *fp)
 {
-  const Saved now = {compute_scalar(), fluid->solid};
+  const Saved now = {compute_scalar(), fluid->kept()};
   if (comm->me == 0) Suspension_NS::write_sealed(fp, now);
 }
 
 void FixDragBackground::restart(char *buffer)
 {
-  Saved from;
-  if (const char *wrong = Suspension_NS::read_sealed(buffer, from))
-    error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
+  Saved from{};
+  check_restart(Suspension_NS::read_sealed(buffer, from));
   energy = comm->me ? 0.0 : from.energy;
-  fluid->solid = from.solid;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixDragBackground::memory_usage()
-{
-  return fluid->memory_usage();
+  fluid->keep(from.kept);
 }

@@ -16,18 +16,11 @@ FixStyle(drag/background,FixDragBackground);
 #ifndef LMP_FIX_DRAG_BACKGROUND_H
 #define LMP_FIX_DRAG_BACKGROUND_H
 
-#include "fix.h"
-#include "spin_inertia.h"
-
-#include <memory>
-#include <utility>
-#include <vector>
+#include "fix_background_fluid.h"
 
 namespace LAMMPS_NS {
 
-class BackgroundFluid;
-
-class FixDragBackground : public Fix {
+class FixDragBackground : public FixBackgroundFluid {
  public:
   FixDragBackground(class LAMMPS *, int, char **);
   ~FixDragBackground() override;
@@ -36,21 +29,13 @@ class FixDragBackground : public Fix {
   void setup(int) override;
   void post_force(int) override;
   double compute_scalar() override;
-  double compute_vector(int) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
-  double memory_usage() override;
-  const BackgroundFluid &background() const { return *fluid; }
 
  protected:
-  enum { POWER, FORCE, TORQUE = FORCE + 3, NUMBER = TORQUE + 3, NUM_SUMS };
-
-  std::unique_ptr<BackgroundFluid> fluid;
-  SpinInertia inertia;
-  double sums[NUM_SUMS];    // of this rank: see the manual
-  double mean_power;        // dissipated in the last step, of this rank
-  double power;             // from the particles to the fluid, of this rank
-  double energy;            // and its integral
+  std::unique_ptr<class SpinInertia> inertia;
+  double power;     // from the particles to the fluid, of this rank
+  double energy;    // and its integral
 
   void check_order();
   void drag_all(bool);

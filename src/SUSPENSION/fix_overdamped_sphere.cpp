@@ -15,7 +15,6 @@
 #include "error.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
-#include "restart_seal.h"
 #include "update.h"
 
 #include <algorithm>
@@ -24,9 +23,9 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using Lubcontact_NS::Drag;
-using Lubcontact_NS::Flow;
-using Lubcontact_NS::Vec3;
+using Fluid_NS::Drag;
+using Fluid_NS::Flow;
+using Fluid_NS::Vec3;
 
 static Vec3 vector(const double *a)
 {
@@ -45,24 +44,15 @@ static void put(const Vec3 &a, double *to)
 ------------------------------------------------------------------------- */
 
 FixOverdampedSphere::FixOverdampedSphere(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid(new BackgroundFluid(lmp, this, narg, arg)), sums(), limit(HUGE_VAL),
-    warned(false)
+    FixBackgroundFluid(lmp, narg, arg), limit(HUGE_VAL), warned(false)
 {
   if (fluid->only_isolated())
     for (int iarg = 4; iarg < narg; iarg++)
       if (std::string(arg[iarg]) == "isolated")
         error->all(FLERR, iarg,
                    "Fix overdamped/sphere cannot move particles without drag: remove isolated");
-  dynamic_group_allow = 1;
   time_integrate = 1;
-  restart_global = 1;
-  vector_flag = 1;
-  size_vector = NUM_SUMS + 2;
-  extvector = 0;
-  global_freq = 1;
 }
-
-FixOverdampedSphere::~FixOverdampedSphere() = default;
 
 /* ---------------------------------------------------------------------- */
 
@@ -88,7 +78,7 @@ void FixOverdampedSphere::check_others()
   for (const auto &other : modify->get_fix_list()) {
     if (other == this || !other->time_integrate) continue;
     const std::string name = other->id, kind = other->style;
-    fluid->own.forbid(other->groupbit, [name, kind](const std::string &who) {
+    fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
       return fmt::format("Fix {} {} moves {} that fix overdamped/sphere moves, too: remove it, or "
                          "give it another group",
                          name, kind, who);
@@ -100,7 +90,7 @@ void FixOverdampedSphere::check_others()
 
 void FixOverdampedSphere::check_particle(int i, const Drag &drag) const
 {
-  fluid->own.check(atom->mask[i]);
+  fluid->exclusive().check(atom->mask[i]);
   if (!(drag.translation > 0.0))
     error->one(FLERR,
                "Fix overdamped/sphere cannot move atom {} without drag: viscosity, hindrance and "
@@ -129,14 +119,14 @@ void FixOverdampedSphere::find_limit()
   limit = HUGE_VAL;
   std::vector<double> stiffness(atom->nlocal, 0.0), part;
   for (PairLubcontact *pair : PairLubcontact::all(lmp)) {
-    pair->sum_stiffness(Lubcontact_NS::SPIN_OF_DRAG, part);
+    pair->sum_stiffness(Fluid_NS::SPIN_OF_DRAG, part);
     for (int i = 0; i < atom->nlocal; i++) stiffness[i] += part[i];
   }
   double mine = HUGE_VAL;
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & groupbit) && stiffness[i] > 0.0)
-      mine = std::min(
-          mine, Lubcontact_NS::overdamped_step_limit(stiffness[i], fluid->drag(i).translation));
+      mine =
+          std::min(mine, Fluid_NS::overdamped_step_limit(stiffness[i], fluid->drag(i).translation));
   MPI_Allreduce(&mine, &limit, 1, MPI_DOUBLE, MPI_MIN, world);
   if (comm->me == 0 && limit < HUGE_VAL)
     utils::logmesg(
@@ -169,10 +159,10 @@ void FixOverdampedSphere::initial_integrate(int /*vflag*/)
     if (!(atom->mask[i] & groupbit)) continue;
     const Drag drag = fluid->drag(i);
     check_particle(i, drag);
-    const Flow flow = fluid->flow(i);
+    const Flow flow = fluid->flow_at(i);
     const Vec3 force = vector(atom->f[i]), torque = vector(atom->torque[i]);
-    const Vec3 v = Lubcontact_NS::overdamped(drag.translation, force, flow.velocity);
-    const Vec3 omega = Lubcontact_NS::overdamped(drag.rotation, torque, flow.spin);
+    const Vec3 v = Fluid_NS::overdamped(drag.translation, force, flow.velocity);
+    const Vec3 omega = Fluid_NS::overdamped(drag.rotation, torque, flow.spin);
     put(v, atom->v[i]);
     put(omega, atom->omega[i]);
     put(vector(atom->x[i]) + dt * v, atom->x[i]);
@@ -182,39 +172,5 @@ void FixOverdampedSphere::initial_integrate(int /*vflag*/)
     for (int n = 0; n < 6; n++) sums[FORCE + n] += drags[n];
     sums[NUMBER] += 1.0;
   }
-}
-
-/* ----------------------------------------------------------------------
-   dissipated power, force and torque of the drag, number of particles, hindrance, dissipated power
-   as the mean of the last step
-------------------------------------------------------------------------- */
-
-double FixOverdampedSphere::compute_vector(int n)
-{
-  if (n == NUM_SUMS) return fluid->hindrance();
-  // a step has one velocity: its power is the mean of the step
-  const double mine = sums[n < NUM_SUMS ? n : static_cast<int>(POWER)];
-  double all;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixOverdampedSphere::write_restart(FILE *fp)
-{
-  if (comm->me == 0) Suspension_NS::write_sealed(fp, fluid->solid);
-}
-
-void FixOverdampedSphere::restart(char *buffer)
-{
-  if (const char *wrong = Suspension_NS::read_sealed(buffer, fluid->solid))
-    error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixOverdampedSphere::memory_usage()
-{
-  return fluid->memory_usage();
+  step_power = sums[POWER];    // a step has one velocity
 }

@@ -16,43 +16,29 @@ FixStyle(overdamped/sphere,FixOverdampedSphere);
 #ifndef LMP_FIX_OVERDAMPED_SPHERE_H
 #define LMP_FIX_OVERDAMPED_SPHERE_H
 
-#include "fix.h"
+#include "fix_background_fluid.h"
 
-#include <memory>
-
-namespace LAMMPS_NS::Lubcontact_NS {
+namespace LAMMPS_NS::Fluid_NS {
 struct Drag;
 }
 
 namespace LAMMPS_NS {
 
-class BackgroundFluid;
-
-class FixOverdampedSphere : public Fix {
+class FixOverdampedSphere : public FixBackgroundFluid {
  public:
   FixOverdampedSphere(class LAMMPS *, int, char **);
-  ~FixOverdampedSphere() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
   void initial_integrate(int) override;
   void reset_dt() override;
-  double compute_vector(int) override;
-  void write_restart(FILE *) override;
-  void restart(char *) override;
-  double memory_usage() override;
-  const BackgroundFluid &background() const { return *fluid; }
 
  protected:
-  enum { POWER, FORCE, TORQUE = FORCE + 3, NUMBER = TORQUE + 3, NUM_SUMS };
-
-  std::unique_ptr<BackgroundFluid> fluid;
-  double sums[NUM_SUMS];    // of this rank: see the manual
-  double limit;             // of the time step, by the contacts at the start of the run
-  bool warned;              // of the limit, in this run
+  double limit;    // of the time step, by the contacts at the start of the run
+  bool warned;     // of the limit, in this run
 
   void check_others();
-  void check_particle(int, const Lubcontact_NS::Drag &) const;
+  void check_particle(int, const Fluid_NS::Drag &) const;
   void find_limit();
 };
 

@@ -7,7 +7,7 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// What fix rheometer/plates checks at the start of a run, and of the values of variables.
+// What fix rheometer/plates checks at the start of a run.
 
 #include "fix_rheometer_plates.h"
 
@@ -15,11 +15,13 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "exclusive_particles.h"
 #include "force.h"
 #include "group.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "pair.h"
+#include "plates_targets.h"
 #include "rheometer_plate.h"
 #include "suspension_host.h"
 #include "update.h"
@@ -40,53 +42,11 @@ void FixRheometerPlates::init()
   check_cell();
   check_groups();
   for (int plate : {LOWER, UPPER}) check_exclusion(plate);
-  check_viscosity();
-  target_x.check(lmp, style, DRIVE_NAME[drive]);
-  if (drive == OSCILLATE) amplitude.check(lmp, style, "oscillate");
-  if (load != GAP) target_y.check(lmp, style, LOAD_NAME[load]);
-  own.start(plate_bits());
+  targets->check();
+  own->start(plate_bits());
   if (update->whichflag != 1) return;
   exclude_integrators();
   set_velocities();
-}
-
-/* ----------------------------------------------------------------------
-   of the fluid: given here, or that of pair style lubcontact
-------------------------------------------------------------------------- */
-
-void FixRheometerPlates::check_viscosity()
-{
-  pair_eta = nullptr;
-  if (own_viscosity) {
-    viscosity.check(lmp, style, "viscosity");
-    return;
-  }
-  pair_eta = Suspension_NS::viscosity_of_pair(lmp);
-  const bool films = !Suspension_NS::all_lubcontact(lmp).empty();
-  if (!pair_eta && (drive == IV || (films && load != GAP)))
-    error->all(
-        FLERR,
-        "Fix rheometer/plates does not find the viscosity of the fluid in the pair style: {}; "
-        "add: viscosity eta",
-        Suspension_NS::why_no_viscosity(lmp));
-}
-
-/* ----------------------------------------------------------------------
-   values of variables, in every step
-------------------------------------------------------------------------- */
-
-void FixRheometerPlates::check_values() const
-{
-  auto bad = [this](const char *keyword, const char *limit, double found) {
-    error->all(FLERR, "Fix rheometer/plates {} must be {}, but is {} at step {}", keyword, limit,
-               found, update->ntimestep);
-  };
-  if (!std::isfinite(target_x.value)) bad(DRIVE_NAME[drive], "finite", target_x.value);
-  if (!std::isfinite(amplitude.value)) bad("oscillate", "finite", amplitude.value);
-  if (load != GAP && !std::isfinite(target_y.value)) bad(LOAD_NAME[load], "finite", target_y.value);
-  if (load == PRESSURE && target_y.value <= 0.0) bad("pressure", "> 0", target_y.value);
-  if (!(viscosity.value >= 0.0)) bad("viscosity", ">= 0", viscosity.value);
-  if (drive == IV && viscosity.value == 0.0) bad("viscosity", "> 0 with iv", 0.0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -143,7 +103,7 @@ void FixRheometerPlates::exclude_integrators()
     if (cell) moved = cell->plate_bits();
     if (!moved) continue;
     const std::string name = other->id, kind = other->style, between = group->names[igroup];
-    own.forbid(moved, [name, kind, between](const std::string &who) {
+    own->forbid(moved, [name, kind, between](const std::string &who) {
       return fmt::format("Fix {} {} moves {} of the plates, which fix rheometer/plates moves by "
                          "itself; use for it: group {}",
                          name, kind, who, between);
@@ -216,7 +176,9 @@ bool FixRheometerPlates::excluded_by_type(int plate) const
 
 void FixRheometerPlates::check_time_step() const
 {
-  if ((drive != STRESS && load != LOAD) || mass == 0.0 || !force->pair) return;
+  if ((targets->drive() != PlatesTargets::STRESS && targets->load() != PlatesTargets::LOAD) ||
+      targets->mass() == 0.0 || !force->pair)
+    return;
   int dim = -1;
   const auto *stiffness = static_cast<double **>(force->pair->extract("g", dim));
   if (!stiffness || dim != 2) return;
@@ -233,5 +195,5 @@ void FixRheometerPlates::check_time_step() const
     error->warning(FLERR,
                    "Time step {} exceeds {:.4g}, where a plate of mass {:.6g} becomes unstable if "
                    "all of its particles touch others: reduce it, or increase the mass",
-                   update->dt, limit, mass);
+                   update->dt, limit, targets->mass());
 }

@@ -17,6 +17,8 @@
 #include "error.h"
 #include "force.h"
 #include "group.h"
+#include "plates_state.h"
+#include "plates_targets.h"
 #include "rheometer_plate.h"
 #include "rheometer_servo.h"
 #include "suspension_host.h"
@@ -67,7 +69,7 @@ void FixRheometerPlates::measure_gap()
                "Fix rheometer/plates: the mean surface of the upper plate, y = {:.6g}, must be "
                "above that of the lower plate, y = {:.6g}; exchange the groups, or move the plates",
                top, bottom);
-  measured(state.gap, top - bottom, fabs(top) + fabs(bottom));
+  measured(state->gap, top - bottom, fabs(top) + fabs(bottom));
 }
 
 /* ----------------------------------------------------------------------
@@ -99,16 +101,16 @@ void FixRheometerPlates::add_particle(int i, bool massless, double *sum) const
 
 void FixRheometerPlates::take_particles(const double *all)
 {
-  if (load == PRESSURE && all[NUMBER] == 0.0)
+  if (targets->load() == PlatesTargets::PRESSURE && all[NUMBER] == 0.0)
     error->all(FLERR,
                "Fix rheometer/plates cannot hold a pressure: group {} of the suspended particles "
                "is empty",
                group->names[igroup]);
   const double number = MAX(all[NUMBER], 1.0), volume = all[NUMBER] > 0.0 ? all[VOLUME] : 1.0;
-  measured(state.solid, all[VOLUME], all[VOLUME]);
-  measured(state.density, all[MASS] / volume, all[MASS] / volume);
-  measured(state.diameter, all[DIAMETER] / number, all[DIAMETER] / number);
-  measured(state.plate_mass, all[PLATE], all[PLATE]);
+  measured(state->solid, all[VOLUME], all[VOLUME]);
+  measured(state->density, all[MASS] / volume, all[MASS] / volume);
+  measured(state->diameter, all[DIAMETER] / number, all[DIAMETER] / number);
+  measured(state->plate_mass, all[PLATE], all[PLATE]);
 }
 
 void FixRheometerPlates::measure_particles()
@@ -168,23 +170,55 @@ void FixRheometerPlates::watch_targets(double dt)
     return Rheometer_NS::UNREACHABLE;
   };
 
-  state.code_x = state.code_y = Rheometer_NS::IDLE;
-  if (drive == STRESS) {
-    const double s = target_x.value / force->nktv2p;
-    state.code_x = watch(
-        wall.xy, s, Rheometer_NS::servo_rate(m, state.rate, s, Rheometer_NS::STRESS_FLOOR),
-        state.deviation_x, state.age_x, state.warned_x, "shear stress",
+  state->code_x = state->code_y = Rheometer_NS::IDLE;
+  if (targets->drive() == PlatesTargets::STRESS) {
+    const double s = targets->x() / force->nktv2p;
+    state->code_x = watch(
+        wall.xy, s, Rheometer_NS::servo_rate(m, state->rate, s, Rheometer_NS::STRESS_FLOOR),
+        state->deviation_x, state->age_x, state->warned_x, "shear stress",
         "the suspension cannot resist it, or the plate is so heavy that it still accelerates");
   }
-  if (load == GAP) return;
-  const double p = target_y.value / force->nktv2p;
-  const double w = Rheometer_NS::servo_rate(m, state.rate, p, Rheometer_NS::PRESSURE_FLOOR);
-  state.code_y =
-      watch(wall.pressure, p, w, state.deviation_y, state.age_y, state.warned_y, "pressure",
+  if (targets->load() == PlatesTargets::GAP) return;
+  const double p = targets->pressure() / force->nktv2p;
+  const double w = Rheometer_NS::servo_rate(m, state->rate, p, Rheometer_NS::PRESSURE_FLOOR);
+  state->code_y =
+      watch(wall.pressure, p, w, state->deviation_y, state->age_y, state->warned_y, "pressure",
             "the suspension is jammed, too dilute to push, or the plate too slow");
-  if (load == PRESSURE && state.code_y == Rheometer_NS::FOLLOWING &&
-      fabs(state.dilation) >= Rheometer_NS::dilation_limit(m, p, state.rate, gain))
-    state.code_y = Rheometer_NS::LIMITED;
+  if (targets->load() == PlatesTargets::PRESSURE && state->code_y == Rheometer_NS::FOLLOWING &&
+      fabs(state->dilation) >= Rheometer_NS::dilation_limit(m, p, state->rate, targets->gain()))
+    state->code_y = Rheometer_NS::LIMITED;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixRheometerPlates::gap() const
+{
+  return state->gap;
+}
+
+double FixRheometerPlates::velocity() const
+{
+  return state->vx;
+}
+
+double FixRheometerPlates::rate() const
+{
+  return state->rate;
+}
+
+const Rheometer_NS::StrainMeans &FixRheometerPlates::means() const
+{
+  return state->means;
+}
+
+double FixRheometerPlates::phi() const
+{
+  return state->gap > 0.0 ? state->solid / (area() * state->gap) : 0.0;
+}
+
+double FixRheometerPlates::imposed_pressure() const
+{
+  return targets->load() == PlatesTargets::GAP ? 0.0 : targets->pressure();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -192,27 +226,43 @@ void FixRheometerPlates::watch_targets(double dt)
 double FixRheometerPlates::compute_vector(int n)
 {
   const double unit = force->nktv2p;
-  const double phi = state.gap > 0.0 ? state.solid / (area() * state.gap) : 0.0;
   const Rheometer_NS::WallStress low = stress_on(LOWER), up = stress_on(UPPER);
-  const double values[] = {state.strain,
-                           state.rate,
-                           state.gap,
-                           state.vx,
-                           state.vy,
-                           phi,
-                           low.pressure * unit,
-                           up.pressure * unit,
-                           low.xy * unit,
-                           up.xy * unit,
-                           low.zy * unit,
-                           up.zy * unit,
-                           target_x.value,
-                           load == GAP ? 0.0 : target_y.value,
-                           state.code_x,
-                           state.code_y};
-  const int now = sizeof(values) / sizeof(double);
-  if (n < now) return values[n];
-  const double mean = Rheometer_NS::mean_output(
-      state.means, n - now, 0.5 * (low.pressure + up.pressure), 0.5 * (low.xy + up.xy));
-  return n - now == Rheometer_NS::MEAN_OUTPUTS - 1 ? mean : mean * unit;
+  switch (n) {
+    case Output::STRAIN:
+      return state->strain;
+    case Output::RATE:
+      return state->rate;
+    case Output::GAP:
+      return state->gap;
+    case Output::VX:
+      return state->vx;
+    case Output::VY:
+      return state->vy;
+    case Output::PHI:
+      return phi();
+    case Output::LOWER_PRESSURE:
+      return low.pressure * unit;
+    case Output::UPPER_PRESSURE:
+      return up.pressure * unit;
+    case Output::LOWER_XY:
+      return low.xy * unit;
+    case Output::UPPER_XY:
+      return up.xy * unit;
+    case Output::LOWER_ZY:
+      return low.zy * unit;
+    case Output::UPPER_ZY:
+      return up.zy * unit;
+    case Output::TARGET_X:
+      return targets->x();
+    case Output::TARGET_Y:
+      return imposed_pressure();
+    case Output::CODE_X:
+      return state->code_x;
+    case Output::CODE_Y:
+      return state->code_y;
+  }
+  const int m = n - Output::MEANS;
+  const double mean = Rheometer_NS::mean_output(state->means, m, 0.5 * (low.pressure + up.pressure),
+                                                0.5 * (low.xy + up.xy));
+  return m == Rheometer_NS::MEAN_OUTPUTS - 1 ? mean : mean * unit;
 }

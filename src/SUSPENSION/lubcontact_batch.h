@@ -35,8 +35,8 @@ struct Batch {
   Lanes usual, force[3], torque_i[3], torque_j[3];
 };
 
-// Two spheres at rest that just touch, in every lane: one that no pair fills computes with these, and
-// does not divide by zero.
+// Two spheres at rest that just touch, in every lane: one that no pair fills computes with these,
+// and does not divide by zero.
 inline Batch idle_batch()
 {
   Batch b{};
@@ -127,8 +127,8 @@ template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
     step_lanes<E>(b, f, dt);
 }
 
-// One binary for all processors: the vectors are as wide as the processor that runs it has them. Only
-// where our CMake files say that nothing is fused, so that all give the same bits.
+// One binary for all processors: the vectors are as wide as the processor that runs it has them.
+// Only where our CMake files say that nothing is fused, so that all give the same bits.
 #if defined(SUSPENSION_UNFUSED) && defined(__x86_64__) && defined(__GLIBC__) && \
     defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && !defined(__AVX2__)
 #define LUBCONTACT_EACH_PROCESSOR \

@@ -56,7 +56,7 @@ struct PairSums {
     FRICTIONAL,
     SLIDING,
     NORMAL,
-    FRICTION,
+    FRICTION_FORCE,
     MOBILIZED,
     FILM_GAP,
     NUM_SUMS
@@ -78,7 +78,7 @@ struct PairSums {
     }
     if (p.frictional) {
       sum[FRICTIONAL] += weight;
-      sum[FRICTION] += weight * p.friction;
+      sum[FRICTION_FORCE] += weight * p.friction;
       sum[MOBILIZED] += weight * p.friction / p.cone;
       if (p.sliding) sum[SLIDING] += weight;
     }
@@ -107,7 +107,7 @@ struct Averages {
     SMALLEST_GAP,
     NORMAL,
     LARGEST_NORMAL,
-    FRICTION,
+    FRICTION_FORCE,
     MOBILIZED,
     DEFLECTION,
     OVERLAP,
@@ -139,7 +139,7 @@ inline Averages averages(const PairSums &s, double particles, double rattlers, d
   a.value[a.SMALLEST_GAP] = -extreme(S::CLOSEST);
   a.value[a.NORMAL] = ratio(sum(S::NORMAL), sum(S::CONTACTS));
   a.value[a.LARGEST_NORMAL] = extreme(S::LARGEST_NORMAL);
-  a.value[a.FRICTION] = ratio(sum(S::FRICTION), sum(S::FRICTIONAL));
+  a.value[a.FRICTION_FORCE] = ratio(sum(S::FRICTION_FORCE), sum(S::FRICTIONAL));
   a.value[a.MOBILIZED] = ratio(sum(S::MOBILIZED), sum(S::FRICTIONAL));
   a.value[a.DEFLECTION] = larger(0.0, extreme(S::DEFLECTION));
   a.value[a.OVERLAP] = larger(0.0, extreme(S::OVERLAP));

@@ -8,8 +8,8 @@
 ------------------------------------------------------------------------- */
 
 // Fabric tensors: means over pairs of the product of two directions, with a weight.
-// M. Oda, Soils Found. 22(4), 96 (1982); with forces: L. Rothenburg, R.J. Bathurst, Geotechnique 39,
-// 601 (1989).
+// M. Oda, Soils Found. 22(4), 96 (1982); with forces: L. Rothenburg, R.J. Bathurst, Geotechnique
+// 39, 601 (1989).
 
 #ifndef LUBCONTACT_FABRIC_H
 #define LUBCONTACT_FABRIC_H

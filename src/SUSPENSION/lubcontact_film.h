@@ -17,18 +17,16 @@
 #ifndef LUBCONTACT_FILM_H
 #define LUBCONTACT_FILM_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_polynomial.h"
-#include "lubcontact_vec3.h"
 
 #include <cmath>
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
-static constexpr double PI = 3.14159265358979323846;
-
 // Which pairs are lubricated, and how it ends: CUT un_a < reach_a, forces as they are;
-// SHIFTED: minus their resistance at the end of the range, where they vanish; VORONOI: CUT, but only
-// pairs that share a face of the tessellation.
+// SHIFTED: minus their resistance at the end of the range, where they vanish; VORONOI: CUT, but
+// only pairs that share a face of the tessellation.
 enum class Range { CUT, SHIFTED, VORONOI };
 
 inline constexpr const char *RANGE_NAME[] = {"cut", "shifted", "voronoi"};
@@ -48,32 +46,32 @@ struct Film {
 };
 
 // Squeeze: F = nu a^2 (du/dt)/u with nu = (3/2) pi eta, pressure*time.
-inline double squeeze_coeff(double viscosity)
+LUBCONTACT_FN inline double squeeze_coeff(double viscosity)
 {
   return 1.5 * PI * viscosity;
 }
 
 // Shear over pi eta a:  [ (2+u) ln((2+u)/u) - 2 ] / 2,  u = u_a here and below.
-inline double shear_shape(double u_a, double ln_u)
+LUBCONTACT_FN inline double shear_shape(double u_a, double ln_u)
 {
   return 0.5 * (2.0 + u_a) * (logarithm(2.0 + u_a) - ln_u) - 1.0;
 }
 
 // Rolling over pi eta a^3:  (c + (63/125) u) ln(1/u), c = 3/5. Zero beyond u = 1, where the
 // logarithm changes sign and the torque would pump energy.
-inline double roll_shape(double coeff, double u_a, double ln_u)
+LUBCONTACT_FN inline double roll_shape(double coeff, double u_a, double ln_u)
 {
   return (coeff + 0.504 * u_a) * larger(0.0, -ln_u);
 }
 
 // Force/velocity resisting the relative tangential velocity of the surfaces.
-inline double shear_resistance(const Film &f, double a, double u_a, double ln_u)
+LUBCONTACT_FN inline double shear_resistance(const Film &f, double a, double u_a, double ln_u)
 {
   return PI * f.viscosity * a * larger(0.0, shear_shape(u_a, ln_u) - f.shear_end);
 }
 
 // Torque/angular velocity resisting the relative rolling.
-inline double roll_resistance(const Film &f, double a, double u_a, double ln_u)
+LUBCONTACT_FN inline double roll_resistance(const Film &f, double a, double u_a, double ln_u)
 {
   return PI * f.viscosity * a * a * a *
       larger(0.0, roll_shape(f.roll_coeff, u_a, ln_u) - f.roll_end);
@@ -81,12 +79,12 @@ inline double roll_resistance(const Film &f, double a, double u_a, double ln_u)
 
 // Torque/angular velocity resisting the relative twist: pi eta a^3 u ln(1/u) below u = 1. As
 // u ln(1/u) is not monotone, SHIFTED shifts the logarithm.
-inline double twist_resistance(const Film &f, double a, double u_a, double ln_u)
+LUBCONTACT_FN inline double twist_resistance(const Film &f, double a, double u_a, double ln_u)
 {
   return PI * f.viscosity * a * a * a * u_a * larger(0.0, f.twist_end - ln_u);
 }
 
-inline Film make_film(double viscosity, double reach_a, Range rule, double roll_coeff)
+LUBCONTACT_FN inline Film make_film(double viscosity, double reach_a, Range rule, double roll_coeff)
 {
   Film f{viscosity, reach_a, 0.0, 0.0, 0.0, 0.0, roll_coeff};
   if (rule == Range::SHIFTED) {
@@ -94,13 +92,13 @@ inline Film make_film(double viscosity, double reach_a, Range rule, double roll_
     f.shift = 1.0 / reach_a;
     f.shear_end = shear_shape(reach_a, ln_reach);
     f.roll_end = roll_shape(roll_coeff, reach_a, ln_reach);
-    f.twist_end = std::fmin(0.0, ln_reach);
+    f.twist_end = smaller(ln_reach, 0.0);
   }
   return f;
 }
 
 // The same without the films that are off.
-inline Film without_films(Film f, bool shear, bool roll, bool twist)
+LUBCONTACT_FN inline Film without_films(Film f, bool shear, bool roll, bool twist)
 {
   if (!shear) f.shear_end = HUGE_VAL;
   if (!roll) f.roll_end = HUGE_VAL;

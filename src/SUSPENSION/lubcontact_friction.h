@@ -12,12 +12,13 @@
 //   shift  mu (N - F*), not below 0           R. Seto, R. Mari, J.F. Morris, M.M. Denn, Phys. Rev.
 //                                             Lett. 111, 218301 (2013)
 //   ramp   mu N (N/F*) below F*, mu N above   J. Dong, eq. 4.5
-// N >= 0 is the repulsive force of the asperities; every law gives |F_t| <= mu times the load below.
+// N >= 0 is the repulsive force of the asperities; every law gives |F_t| <= mu times
+// rubbing_load().
 
 #ifndef LUBCONTACT_FRICTION_H
 #define LUBCONTACT_FRICTION_H
 
-#include "lubcontact_vec3.h"
+#include "lubcontact_defs.h"
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
@@ -33,7 +34,7 @@ struct Threshold {
   double per_ramp = 0.0;    // 1/load of full friction, 1/force; 0: no ramp
 };
 
-inline Threshold make_threshold(FrictionLaw law, double critical)
+LUBCONTACT_FN inline Threshold make_threshold(FrictionLaw law, double critical)
 {
   Threshold t;
   if (law == FrictionLaw::STEP) t.least = critical;
@@ -43,7 +44,7 @@ inline Threshold make_threshold(FrictionLaw law, double critical)
 }
 
 // Load that counts for friction, 0 <= load <= N.
-inline double rubbing_load(const Threshold &t, double N)
+LUBCONTACT_FN inline double rubbing_load(const Threshold &t, double N)
 {
   const double share = N * t.per_ramp;
   const bool partly = (t.per_ramp > 0.0) & (share < 1.0);

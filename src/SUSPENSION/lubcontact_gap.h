@@ -9,9 +9,9 @@
 
 // Evolution of the gap u between the deformed surfaces of a pair, over one time step.
 //
-// Film, asperities (stiffness k) and bulk (stiffness g) in series. In this file every length is over
-// a, in formulas without the suffix: u is u_a, eps is eps_a. Times are over tau = (3/2) pi eta a/g,
-// that of a step is `steps`:
+// Film, asperities (stiffness k) and bulk (stiffness g) in series. In this file every length is
+// over a, in formulas without the suffix: u is u_a, eps is eps_a. Times are over
+// tau = (3/2) pi eta a/g, that of a step is `steps`:
 //     du/dt = u (r - A u),   no contact (u >= eps): r = un, A = 1
 //                            contact    (u <  eps): r = un + alpha eps, A = 1 + alpha, alpha = k/g
 // Model: W. Chevremont, H. Bodiguel, B. Chareyre, Powder Technol. 372, 600 (2020), with the time
@@ -20,22 +20,22 @@
 //
 // Two extensions, chosen at compile time (template argument X, bits of lubcontact_effects.h): with
 // ADHESION a contact, once made below eps, holds up to the gap `release` > eps, so that its springs
-// pull there; with REPULSION a further force, linear in u within the step, adds push - slope u to r.
+// pull there; with REPULSION a further force, linear in u within the step, adds push - slope u to
+// r.
 
 #ifndef LUBCONTACT_GAP_H
 #define LUBCONTACT_GAP_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_effects.h"
 #include "lubcontact_polynomial.h"
-#include "lubcontact_vec3.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
-// Gap of the deformed surfaces and its logarithm: u_a may underflow where ln_u does not, and is kept
-// beside it so that a step need not take the exponential of its own logarithm.
+// Gap of the deformed surfaces and its logarithm: u_a may underflow where ln_u does not, and is
+// kept beside it so that a step need not take the exponential of its own logarithm.
 struct Gap {
   double u_a;
   double ln_u;
@@ -54,24 +54,26 @@ struct LogExponentialMean {
   double mean_s2;
 };
 
-// integral_0^1 exp(-z s) ds = sum (-z)^n/(n+1)!  and  integral_0^1 s^2 exp(-z s) ds
-// = sum (-z)^n/(n! (n+3))
-static constexpr double PHI_SERIES[12] = {
-    1.0,        1.0 / 2,     1.0 / 6,      1.0 / 24,      1.0 / 120,      1.0 / 720,
-    1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600};
-static constexpr double PSI_SERIES[9] = {1.0 / 3,   1.0 / 4,    1.0 / 10,    1.0 / 36,    1.0 / 168,
-                                         1.0 / 960, 1.0 / 6480, 1.0 / 50400, 1.0 / 443520};
+// integral_0^1 exp(-z s) ds = sum (-z)^n/(n+1)!
+struct PhiSeries {
+  static constexpr int SIZE = 12;
+  static constexpr double at(int n) { return 1.0 / factorial(n + 1); }
+};
 
-static constexpr double SHORT_EXP_SERIES[6] = {1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120};
+// integral_0^1 s^2 exp(-z s) ds = sum (-z)^n/(n! (n+3))
+struct PsiSeries {
+  static constexpr int SIZE = 9;
+  static constexpr double at(int n) { return 1.0 / (factorial(n) * (n + 3)); }
+};
 
-inline ExponentialMean exponential_mean(double z)
+LUBCONTACT_FN inline ExponentialMean exponential_mean(double z)
 {
   static constexpr double NEAR = 0.3;    // the series to rounding; its mean to 2e-11
   const bool series = std::fabs(z) < NEAR;
   // compilers divide by both sides of a choice: the closed form is never taken where it is 0/0
   const double far = std::copysign(larger(std::fabs(z), NEAR), z);
   const double e = exponential(-far), lost = 1.0 - e;
-  const double phi = polynomial(PHI_SERIES, -z), psi = polynomial(PSI_SERIES, -z);
+  const double phi = polynomial<PhiSeries>(-z), psi = polynomial<PsiSeries>(-z);
   const double inverse = 1.0 / (series ? phi : far * far * lost);    // one division for all
   const double closed = far * lost * lost * inverse;
   return {series ? phi : closed, inverse * (series ? psi : 2.0 - e * (far * far + 2.0 * far + 2.0)),
@@ -79,7 +81,7 @@ inline ExponentialMean exponential_mean(double z)
 }
 
 // ln phi(z) instead of phi(z), for any z.
-inline LogExponentialMean log_exponential_mean(double z)
+LUBCONTACT_FN inline LogExponentialMean log_exponential_mean(double z)
 {
   if (std::fabs(z) < 30.0) {
     const ExponentialMean m = exponential_mean(z);
@@ -90,24 +92,27 @@ inline LogExponentialMean log_exponential_mean(double z)
   return {-z + std::log(i), 1.0 - 2.0 * i + 2.0 * i * i};
 }
 
-inline double log_add_exp(double a, double b)
+LUBCONTACT_FN inline double log_add_exp(double a, double b)
 {
-  return std::fmax(a, b) + std::log1p(std::exp(-std::fabs(a - b)));
+  return larger(a, b) + std::log1p(std::exp(-std::fabs(a - b)));
 }
 
 // sqrt(pi) x exp(x^2) erfc(x) = sum (-1)^n (2n-1)!! (2 x^2)^-n, asymptotically
-static constexpr double ERFCX_SERIES[7] = {1.0, -1.0, 3.0, -15.0, 105.0, -945.0, 10395.0};
+struct ErfcxSeries {
+  static constexpr int SIZE = 7;
+  static constexpr double at(int n) { return n > 0 ? (1 - 2 * n) * at(n - 1) : 1.0; }
+};
 
 // ln( exp(x^2) erfc(x) ) for x >= 0.
-inline double log_erfcx(double x)
+LUBCONTACT_FN inline double log_erfcx(double x)
 {
   static constexpr double LN_ROOT_PI = 0.57236494292470009;
   if (x < 20.0) return x * x + std::log(std::erfc(x));
-  return std::log(polynomial(ERFCX_SERIES, 0.5 / (x * x)) / x) - LN_ROOT_PI;    // to rounding
+  return std::log(polynomial<ErfcxSeries>(0.5 / (x * x)) / x) - LN_ROOT_PI;    // to rounding
 }
 
 // ln of integral_0^1 exp(-z s + D s^2) ds for D < 0, exact: a Gaussian cut at both ends.
-inline double log_gaussian_integral(double z, double D)
+LUBCONTACT_FN inline double log_gaussian_integral(double z, double D)
 {
   static constexpr double HALF_ROOT_PI = 0.88622692545275801;
   const double root = std::sqrt(-D), a = 0.5 * z / root, b = a + root;
@@ -122,7 +127,8 @@ inline double log_gaussian_integral(double z, double D)
 
 // One step with r going linearly from r0 to r1. Second order, exact for constant r, positive by
 // construction, right in both stiff limits. Returns ln u.
-inline double gap_exponential_any(double y0, double r0, double r1, double A, double steps)
+LUBCONTACT_FN inline double gap_exponential_any(double y0, double r0, double r1, double A,
+                                                double steps)
 {
   const double D = 0.5 * steps * (r1 - r0);
   const LogExponentialMean m = log_exponential_mean(steps * r1);
@@ -133,8 +139,8 @@ inline double gap_exponential_any(double y0, double r0, double r1, double A, dou
 
 // The same where nothing can overflow, which is the usual case: u0/u1 = exp(-x) + A steps I u0.
 // Branch-free; the result is void if usual becomes false, and nothing overflows on the way to it.
-inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A, double steps,
-                                 bool &usual)
+LUBCONTACT_FN inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A,
+                                               double steps, bool &usual)
 {
   const double x = 0.5 * steps * (r0 + r1);
   const double change = 0.5 * steps * (r1 - r0);
@@ -144,12 +150,13 @@ inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A,
   const ExponentialMean m = exponential_mean(usual ? x + D : 0.0);
   const double q = D * m.mean_s2;
   const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 4e-10 at |q| < 1e-2
-  const double exp_D = polynomial(SHORT_EXP_SERIES, D);
+  const double exp_D = polynomial<ExpSeries<6>>(D);
   const double ratio = m.exp_minus_z * exp_D + A * steps * m.phi * exp_q * old.u_a;
   return {old.u_a / ratio, old.ln_u - logarithm(ratio)};
 }
 
-inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, double steps)
+LUBCONTACT_FN inline Gap gap_exponential(const Gap &old, double r0, double r1, double A,
+                                         double steps)
 {
   bool usual = true;
   const Gap gap = gap_exponential_usual(old, r0, r1, A, steps, usual);
@@ -159,7 +166,7 @@ inline Gap gap_exponential(const Gap &old, double r0, double r1, double A, doubl
 }
 
 // One step of backward Euler (Chevremont's eq. 18), rationalized so that nothing cancels.
-inline Gap gap_euler(const Gap &old, double r1, double A, double steps)
+LUBCONTACT_FN inline Gap gap_euler(const Gap &old, double r1, double A, double steps)
 {
   const double b = r1 - 1.0 / steps;
   const double d = std::sqrt(b * b + 4.0 * A * old.u_a / steps);
@@ -174,7 +181,7 @@ inline Gap gap_euler(const Gap &old, double r1, double A, double steps)
 }
 
 // The history of a gap, u_a and ln_u, after a has changed: factor is the old a over the new one.
-inline void rescale_gap(double factor, double *gap)
+LUBCONTACT_FN inline void rescale_gap(double factor, double *gap)
 {
   gap[0] *= factor;
   gap[1] += std::log(factor);
@@ -191,14 +198,14 @@ struct GapLaw {
 };
 
 // The coefficients of du/dt = u (un + drive - stiffness u), contact or not.
-template <unsigned X = 0> inline double gap_stiffness(const GapLaw &law, bool contact)
+template <unsigned X = 0> LUBCONTACT_FN inline double gap_stiffness(const GapLaw &law, bool contact)
 {
   const double A = contact ? 1.0 + law.alpha : 1.0;
   if constexpr (X & REPULSION) return A + law.slope;
   return A;
 }
 
-template <unsigned X = 0> inline double gap_drive(const GapLaw &law, bool contact)
+template <unsigned X = 0> LUBCONTACT_FN inline double gap_drive(const GapLaw &law, bool contact)
 {
   const double add = contact ? law.alpha * law.eps_a : 0.0;
   if constexpr (X & REPULSION) return add + law.push_a;
@@ -210,7 +217,7 @@ struct Border {
   double u_a, ln_u;
 };
 
-template <unsigned X = 0> inline Border gap_border(const GapLaw &law, bool contact)
+template <unsigned X = 0> LUBCONTACT_FN inline Border gap_border(const GapLaw &law, bool contact)
 {
   if constexpr (X & ADHESION)
     if (contact) return {law.release_a, law.ln_release};
@@ -219,8 +226,8 @@ template <unsigned X = 0> inline Border gap_border(const GapLaw &law, bool conta
 
 // Step in one branch of the law, contact or not.
 template <unsigned X = 0>
-inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un0_a, double un1_a,
-                      double steps)
+LUBCONTACT_FN inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un0_a,
+                                    double un1_a, double steps)
 {
   const double A = gap_stiffness<X>(law, contact);
   const double add = gap_drive<X>(law, contact);
@@ -233,8 +240,8 @@ inline Gap gap_branch(const GapLaw &law, bool contact, const Gap &old, double un
 // Fraction of the step at which ln_u reaches the border, end being beyond it: Illinois, with a
 // bisection every third time for flat cases.
 template <unsigned X = 0>
-inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, const Gap &end,
-                           double un0_a, double un1_a, double steps)
+LUBCONTACT_FN inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old,
+                                         const Gap &end, double un0_a, double un1_a, double steps)
 {
   const double border = gap_border<X>(law, contact).ln_u;
   double lo = 0.0, f_lo = old.ln_u - border;
@@ -266,7 +273,7 @@ inline double gap_crossing(const GapLaw &law, bool contact, const Gap &old, cons
 // Contact during a step? On the border the drive decides: the gap closes if it is below eps. An
 // adhesive contact holds until it breaks.
 template <unsigned X = 0>
-inline bool in_contact(const GapLaw &law, const Gap &gap, double un0_a, double un1_a)
+LUBCONTACT_FN inline bool in_contact(const GapLaw &law, const Gap &gap, double un0_a, double un1_a)
 {
   if constexpr (X & ADHESION) return gap.bond != 0.0;
   const double drive = gap_drive<X>(law, false), stiffness = gap_stiffness<X>(law, false);
@@ -274,7 +281,8 @@ inline bool in_contact(const GapLaw &law, const Gap &gap, double un0_a, double u
       ((gap.ln_u == law.ln_eps) & (un0_a + un1_a < 2.0 * (stiffness * law.eps_a - drive)));
 }
 
-template <unsigned X = 0> inline bool crosses(const GapLaw &law, bool contact, double end)
+template <unsigned X = 0>
+LUBCONTACT_FN inline bool crosses(const GapLaw &law, bool contact, double end)
 {
   const bool opens = end > gap_border<X>(law, true).ln_u;
   const bool closes = end < gap_border<X>(law, false).ln_u;
@@ -284,8 +292,8 @@ template <unsigned X = 0> inline bool crosses(const GapLaw &law, bool contact, d
 // The rest of a step that crosses the border, branch by branch. At u = eps both branches have the
 // same rate, and an adhesive contact breaks elsewhere than it forms: no chatter; four is a guard.
 template <unsigned X = 0>
-inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double un0_a, double un1_a,
-                     double steps)
+LUBCONTACT_FN inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double un0_a,
+                                   double un1_a, double steps)
 {
   for (int n = 0; n < 4 && crosses<X>(law, contact, end.ln_u); n++) {
     const double t = gap_crossing<X>(law, contact, gap, end, un0_a, un1_a, steps);
@@ -302,7 +310,8 @@ inline Gap gap_cross(const GapLaw &law, bool contact, Gap gap, Gap end, double u
 
 // Step with the transitions between contact and no contact resolved inside it.
 template <unsigned X = 0>
-inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0_a, double un1_a, double steps)
+LUBCONTACT_FN inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0_a, double un1_a,
+                                   double steps)
 {
   const bool contact = in_contact<X>(law, old, un0_a, un1_a);
   const Gap end = gap_branch<X>(law, contact, old, un0_a, un1_a, steps);
@@ -314,8 +323,8 @@ inline Gap gap_piece(const GapLaw &law, const Gap &old, double un0_a, double un1
 // A step in one branch of the law where nothing can overflow. Branch-free; the result is void if
 // usual becomes false.
 template <unsigned X = 0>
-inline Gap gap_step_usual(const GapLaw &law, const Gap &old, double un0_a, double un1_a,
-                          double steps, bool &usual)
+LUBCONTACT_FN inline Gap gap_step_usual(const GapLaw &law, const Gap &old, double un0_a,
+                                        double un1_a, double steps, bool &usual)
 {
   const bool contact = in_contact<X>(law, old, un0_a, un1_a);
   const double A = gap_stiffness<X>(law, contact);
@@ -329,7 +338,8 @@ inline Gap gap_step_usual(const GapLaw &law, const Gap &old, double un0_a, doubl
 // Gap after a step of length steps = dt/tau during which un_a goes from un0_a to un1_a.
 // Where the surfaces move far in a film that relaxes fast the step is cut: 2 D <= 1 in each piece.
 template <unsigned X = 0>
-inline Gap gap_step(const GapLaw &law, const Gap &old, double un0_a, double un1_a, double steps)
+LUBCONTACT_FN inline Gap gap_step(const GapLaw &law, const Gap &old, double un0_a, double un1_a,
+                                  double steps)
 {
   bool usual = true;
   const Gap end = gap_step_usual<X>(law, old, un0_a, un1_a, steps, usual);
@@ -338,7 +348,7 @@ inline Gap gap_step(const GapLaw &law, const Gap &old, double un0_a, double un1_
   static constexpr int MAX_PIECES = 16;    // beyond, the film is quasi-static within a piece
   const double D = 0.5 * steps * std::fabs(un1_a - un0_a);
   if (D <= 0.5 || law.euler) return gap_piece<X>(law, old, un0_a, un1_a, steps);
-  const int pieces = static_cast<int>(std::min<double>(MAX_PIECES, std::ceil(std::sqrt(2.0 * D))));
+  const int pieces = static_cast<int>(smaller(std::ceil(std::sqrt(2.0 * D)), MAX_PIECES));
   const double piece = steps / pieces, dun_a = (un1_a - un0_a) / pieces;
   Gap gap = old;
   for (int n = 0; n < pieces; n++)

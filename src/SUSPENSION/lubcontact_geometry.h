@@ -17,6 +17,7 @@
 #ifndef LUBCONTACT_GEOMETRY_H
 #define LUBCONTACT_GEOMETRY_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_vec3.h"
 
 namespace LAMMPS_NS::Lubcontact_NS {
@@ -32,7 +33,7 @@ struct Body {
 // force (3/2) pi eta a^2 u'/u is asymptotically exact for any two radii, a plane included.
 enum class Radius { MEAN, HARMONIC };
 
-inline double effective_radius(Radius rule, double ri, double rj)
+LUBCONTACT_FN inline double effective_radius(Radius rule, double ri, double rj)
 {
   return rule == Radius::MEAN ? 0.5 * (ri + rj) : 2.0 * ri * rj / (ri + rj);
 }
@@ -48,7 +49,8 @@ struct PairGeometry {
   double arm_j;    // R_j + un/2: arm_i + arm_j = r, so that a rigid rotation has no slip
 };
 
-inline PairGeometry pair_geometry(const Vec3 &xi, const Vec3 &xj, double ri, double rj, double a)
+LUBCONTACT_FN inline PairGeometry pair_geometry(const Vec3 &xi, const Vec3 &xj, double ri,
+                                                double rj, double a)
 {
   const Vec3 d = xi - xj;
   PairGeometry g;
@@ -73,9 +75,10 @@ struct PairMotion {
 
 // The velocities undo the step: x - dt v is the previous position for velocity Verlet. All is taken
 // at mid-step and carried to its end by half of the turn, second order: the mid-step normal is
-// n - lean/2, and turning it into n adds half a tilt. A rigid rotation by the angle t gives a slip of order r t^3/12.
-inline PairMotion pair_motion(const PairGeometry &g, const Body &i, const Body &j, double r_old,
-                              double dt)
+// n - lean/2, and turning it into n adds half a tilt. A rigid rotation by the angle t gives a slip
+// of order r t^3/12.
+LUBCONTACT_FN inline PairMotion pair_motion(const PairGeometry &g, const Body &i, const Body &j,
+                                            double r_old, double dt)
 {
   const Vec3 move = dt * (i.v - j.v);
   const double along = dot(move, g.n);

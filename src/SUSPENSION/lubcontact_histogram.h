@@ -12,6 +12,7 @@
 #ifndef LUBCONTACT_HISTOGRAM_H
 #define LUBCONTACT_HISTOGRAM_H
 
+#include <cstddef>
 #include <vector>
 
 namespace LAMMPS_NS::Lubcontact_NS {
@@ -20,13 +21,13 @@ struct Histogram {
   double lo, hi;
   std::vector<double> weight;    // of each bin, then below lo, then not below hi
 
-  Histogram(double lo_, double hi_, int bins) : lo(lo_), hi(hi_), weight(bins + 2, 0.0) {}
+  Histogram(double lo_, double hi_, int bins) : lo(lo_), hi(hi_), weight(place(bins + 2), 0.0) {}
 
   int bins() const { return static_cast<int>(weight.size()) - 2; }
   double width() const { return (hi - lo) / bins(); }
   double center(int bin) const { return lo + (bin + 0.5) * width(); }
-  double below() const { return weight[bins()]; }
-  double above() const { return weight[bins() + 1]; }
+  double below() const { return weight[place(bins())]; }
+  double above() const { return weight[place(bins() + 1)]; }
 
   void add(double w, double x)
   {
@@ -39,7 +40,7 @@ struct Histogram {
       bin = static_cast<int>((x - lo) / width());
       if (bin >= bins()) bin = bins() - 1;    // rounding just below hi
     }
-    weight[bin] += w;
+    weight[place(bin)] += w;
   }
 
   double total() const
@@ -53,8 +54,10 @@ struct Histogram {
   double density(int bin) const
   {
     const double all = total();
-    return all > 0.0 ? weight[bin] / (all * width()) : 0.0;
+    return all > 0.0 ? weight[place(bin)] / (all * width()) : 0.0;
   }
+
+  static std::size_t place(int bin) { return static_cast<std::size_t>(bin); }
 };
 
 }    // namespace LAMMPS_NS::Lubcontact_NS

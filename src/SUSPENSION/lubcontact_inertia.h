@@ -7,11 +7,12 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Momentum that particles carry relative to their common motion: the inertial part of the stress, and
-// the kinetic energy. Velocities v are relative to the flow. A flow looks the same from every
-// particle, so a drift w of all of them together is no fluctuation. In a sheared cell it is not even
-// constant: nothing pushes the particles while the flow around them changes as they cross it,
-// dw/dt = -G w, so that a drift along the gradient makes one along the flow which grows with strain.
+// Momentum that particles carry relative to their common motion: the inertial part of the stress,
+// and the kinetic energy. Velocities v are relative to the flow. A flow looks the same from every
+// particle, so a drift w of all of them together is no fluctuation. In a sheared cell it is not
+// even constant: nothing pushes the particles while the flow around them changes as they cross it,
+// dw/dt = -G w, so that a drift along the gradient makes one along the flow which grows with
+// strain.
 
 #ifndef LUBCONTACT_INERTIA_H
 #define LUBCONTACT_INERTIA_H

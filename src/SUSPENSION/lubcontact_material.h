@@ -8,9 +8,10 @@
 ------------------------------------------------------------------------- */
 
 // From properties of the solid, as measured, to the coefficients of two spheres.
-// Springs: in series, k = E a for equal spheres, as in Yade (V. Smilauer et al., Yade Documentation,
-// DEM formulation); or Hertz' secant at a load, K.L. Johnson, Contact Mechanics (1985), chapter 4.
-// Tangential: R.D. Mindlin, J. Appl. Mech. 16, 259 (1949), ratio 2 (1 - nu)/(2 - nu) of equal solids.
+// Springs: in series, k = E a for equal spheres, as in Yade (V. Smilauer et al., Yade
+// Documentation, DEM formulation); or Hertz' secant at a load, K.L. Johnson, Contact Mechanics
+// (1985), chapter 4.
+// Tangential: R.D. Mindlin, J. Appl. Mech. 16, 259 (1949), 2 (1 - nu)/(2 - nu) of equal solids.
 
 #ifndef LUBCONTACT_MATERIAL_H
 #define LUBCONTACT_MATERIAL_H

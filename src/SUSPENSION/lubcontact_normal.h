@@ -18,6 +18,7 @@
 #ifndef LUBCONTACT_NORMAL_H
 #define LUBCONTACT_NORMAL_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_film.h"
 #include "lubcontact_gap.h"
 #include "lubcontact_repulsion.h"
@@ -43,7 +44,7 @@ static constexpr double THINNEST_A = 1e-8;
 // Gap of elastic rest, where the film carries nothing: (un + alpha eps)/(1 + alpha) if the
 // asperities touch, un otherwise. It is the gap of a pair seen for the first time, of dry contact,
 // and of every pair if squeeze is off.
-inline double elastic_gap_a(const GapLaw &law, double un_a)
+LUBCONTACT_FN inline double elastic_gap_a(const GapLaw &law, double un_a)
 {
   const double pressed = (un_a + law.alpha * law.eps_a) / (1.0 + law.alpha);
   const double u_a = un_a < law.eps_a ? pressed : un_a;
@@ -51,7 +52,7 @@ inline double elastic_gap_a(const GapLaw &law, double un_a)
 }
 
 // Repulsion of closed surfaces at the gap u_a, in units of g a.
-inline double relative_repulsion(const NormalCoeffs &c, double a, double u_a)
+LUBCONTACT_FN inline double relative_repulsion(const NormalCoeffs &c, double a, double u_a)
 {
   return repulsion_force(c.repulsion, a * u_a) / (c.g * a);
 }
@@ -59,8 +60,8 @@ inline double relative_repulsion(const NormalCoeffs &c, double a, double u_a)
 // Do the asperities touch at elastic rest? With ADHESION also if they have held (bond) and the gap
 // at which they would carry the load has not passed `release`. Smooth ones never do.
 template <unsigned X = 0>
-inline bool elastic_contact(const NormalCoeffs &c, double a, double un_a,
-                            [[maybe_unused]] bool bond)
+LUBCONTACT_FN inline bool elastic_contact(const NormalCoeffs &c, double a, double un_a,
+                                          [[maybe_unused]] bool bond)
 {
   const GapLaw &law = c.gap;
   double at_eps = 0.0;
@@ -77,7 +78,7 @@ inline bool elastic_contact(const NormalCoeffs &c, double a, double un_a,
 
 // Gap of elastic rest for any extension; bond: do the asperities hold? (ADHESION)
 template <unsigned X>
-inline double elastic_gap_a(const NormalCoeffs &c, double a, double un_a, bool bond)
+LUBCONTACT_FN inline double elastic_gap_a(const NormalCoeffs &c, double a, double un_a, bool bond)
 {
   if constexpr (!X) return elastic_gap_a(c.gap, un_a);
   const bool contact = (X & ADHESION) ? bond : elastic_contact<X>(c, a, un_a, false);
@@ -91,7 +92,8 @@ inline double elastic_gap_a(const NormalCoeffs &c, double a, double un_a, bool b
 
 // The law with the repulsion linearized about the gap u_a, so that its equation stays linear in
 // 1/u. The rest is quadratic in the change of u: second order.
-template <unsigned X> inline NormalCoeffs linearized(const NormalCoeffs &c, double a, double u_a)
+template <unsigned X>
+LUBCONTACT_FN inline NormalCoeffs linearized(const NormalCoeffs &c, double a, double u_a)
 {
   NormalCoeffs law = c;
   if constexpr (X & REPULSION) {
@@ -103,7 +105,7 @@ template <unsigned X> inline NormalCoeffs linearized(const NormalCoeffs &c, doub
 }
 
 // May the repulsion be linearized over this change of the gap?
-inline bool is_small_change(const NormalCoeffs &c, double a, double u0_a, double u1_a)
+LUBCONTACT_FN inline bool is_small_change(const NormalCoeffs &c, double a, double u0_a, double u1_a)
 {
   return (c.repulsion.force == 0.0) | (std::fabs(u1_a - u0_a) * a * c.repulsion.per_length < 0.25);
 }
@@ -112,8 +114,8 @@ inline bool is_small_change(const NormalCoeffs &c, double a, double u0_a, double
 // nu (1 - u_a/reach_a), frozen at the gap expected at mid-step (linearly implicit: positive, second
 // order). From un0_a to un1_a as in gap_step().
 template <unsigned X = 0>
-inline double film_steps(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
-                         double un0_a, double un1_a, double dt)
+LUBCONTACT_FN inline double film_steps(const NormalCoeffs &c, const Film &f, double a,
+                                       const Gap &old, double un0_a, double un1_a, double dt)
 {
   const double steps = dt / squeeze_coeff(f.viscosity) * (c.g * (1.0 / a));    // 1/a is at hand
   if (f.shift == 0.0) return steps;
@@ -129,15 +131,16 @@ inline double film_steps(const NormalCoeffs &c, const Film &f, double a, const G
 }
 
 // No film at all, or one that is at rest within 1e-12 of the step: dry contact.
-inline bool is_dry(const NormalCoeffs &c, const Film &f, double a, double dt)
+LUBCONTACT_FN inline bool is_dry(const NormalCoeffs &c, const Film &f, double a, double dt)
 {
   return f.viscosity * 1e12 * a <= dt * c.g;
 }
 
 // Gap after a step as nearly all are: branch-free, void if usual becomes false.
 template <unsigned X = 0>
-inline Gap next_gap_usual(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
-                          double un0_a, double un1_a, double dt, bool &usual)
+LUBCONTACT_FN inline Gap next_gap_usual(const NormalCoeffs &c, const Film &f, double a,
+                                        const Gap &old, double un0_a, double un1_a, double dt,
+                                        bool &usual)
 {
   usual = usual & !is_dry(c, f, a, dt);
   const NormalCoeffs l = linearized<X>(c, a, old.u_a);
@@ -149,16 +152,16 @@ inline Gap next_gap_usual(const NormalCoeffs &c, const Film &f, double a, const 
 
 // The same for any step.
 template <unsigned X = 0>
-inline Gap next_gap_linear(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
-                           double un0_a, double un1_a, double dt)
+LUBCONTACT_FN inline Gap next_gap_linear(const NormalCoeffs &c, const Film &f, double a,
+                                         const Gap &old, double un0_a, double un1_a, double dt)
 {
   const NormalCoeffs l = linearized<X>(c, a, old.u_a);
   return gap_step<X>(l.gap, old, un0_a, un1_a, film_steps<X>(l, f, a, old, un0_a, un1_a, dt));
 }
 
 template <unsigned X = 0>
-inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &old, double un0_a,
-                    double un1_a, double dt)
+LUBCONTACT_FN inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
+                                  double un0_a, double un1_a, double dt)
 {
   if (is_dry(c, f, a, dt)) {
     const bool bond = elastic_contact<X>(c, a, un1_a, old.bond != 0.0);
@@ -188,8 +191,8 @@ inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &o
 // Forces at the separation un and the gap u. Their sum is g (u - un). Without film the asperities
 // carry all of it, also where they are crushed flat. bond: do they hold? (ADHESION)
 template <unsigned X = 0>
-inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, double u, bool film,
-                                [[maybe_unused]] bool bond = false)
+LUBCONTACT_FN inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, double u,
+                                              bool film, [[maybe_unused]] bool bond = false)
 {
   const double eps = c.gap.eps_a * a, total = c.g * (u - un);
   if constexpr (!X) {
@@ -209,8 +212,8 @@ inline NormalForce normal_force(const NormalCoeffs &c, double a, double un, doub
 
 // Energy of bulk, asperities and repulsion.
 template <unsigned X = 0>
-inline double normal_energy(const NormalCoeffs &c, double a, double un, double u,
-                            [[maybe_unused]] bool bond = false)
+LUBCONTACT_FN inline double normal_energy(const NormalCoeffs &c, double a, double un, double u,
+                                          [[maybe_unused]] bool bond = false)
 {
   const double flat = c.gap.eps_a * a - u;
   const double held = (X & ADHESION) ? (bond ? flat : 0.0) : larger(0.0, flat);

@@ -16,6 +16,7 @@
 
 #include "lubcontact_channels.h"
 #include "lubcontact_coeffs.h"
+#include "lubcontact_defs.h"
 #include "lubcontact_effects.h"
 #include "lubcontact_friction.h"
 #include "lubcontact_geometry.h"
@@ -24,7 +25,7 @@
 #include "lubcontact_shear.h"
 #include "lubcontact_twist.h"
 
-#include <array>
+#include <cmath>
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
@@ -37,7 +38,7 @@ struct PairCoeffs {    // of a pair of types
 };
 
 // Surfaces that are closer may hold each other without any film: ADHESION stretches the bulk.
-inline double touching_gap_a(const PairCoeffs &c)
+LUBCONTACT_FN inline double touching_gap_a(const PairCoeffs &c)
 {
   const GapLaw &law = c.normal.gap;
   return law.eps_a + (1.0 + law.alpha) * larger(0.0, law.release_a - law.eps_a);
@@ -55,13 +56,13 @@ struct Load {
   double cone;      // largest friction force
 };
 
-template <class E> inline bool has_film(const Film &f)
+template <class E> LUBCONTACT_FN inline bool has_film(const Film &f)
 {
   return E::squeeze && f.viscosity > 0.0;
 }
 
 // Do the asperities hold? (ADHESION)
-template <class E> inline bool holds([[maybe_unused]] const double *history)
+template <class E> LUBCONTACT_FN inline bool holds([[maybe_unused]] const double *history)
 {
   if constexpr (E::adhesion) return history[E::BOND_SLOT] != 0.0;
   return false;
@@ -69,7 +70,8 @@ template <class E> inline bool holds([[maybe_unused]] const double *history)
 
 // Gap of the present state.
 template <class E>
-inline double present_gap_a(const PairCoeffs &c, const PairGeometry &g, const double *history)
+LUBCONTACT_FN inline double present_gap_a(const PairCoeffs &c, const PairGeometry &g,
+                                          const double *history)
 {
   if constexpr (E::gap_history) return history[E::GAP_SLOT];
   return elastic_gap_a<E::normal>(c.normal, g.a, g.un_a, holds<E>(history));
@@ -77,26 +79,26 @@ inline double present_gap_a(const PairCoeffs &c, const PairGeometry &g, const do
 
 // Normal forces at the gap u.
 template <class E>
-inline NormalForce normal_force_of(const PairCoeffs &c, const Film &f, const PairGeometry &g,
-                                   double u, bool bond)
+LUBCONTACT_FN inline NormalForce normal_force_of(const PairCoeffs &c, const Film &f,
+                                                 const PairGeometry &g, double u, bool bond)
 {
   return normal_force<E::normal>(c.normal, g.a, g.un, u, has_film<E>(f), bond);
 }
 
 // Load of the asperities that counts for friction. Tension has none.
-template <class E> inline double frictional_load(const PairCoeffs &c, double contact)
+template <class E> LUBCONTACT_FN inline double frictional_load(const PairCoeffs &c, double contact)
 {
   if constexpr (E::adhesion) contact = larger(0.0, contact);
   if constexpr (E::threshold) return rubbing_load(c.threshold, contact);
   return contact;
 }
 
-inline Vec3 get_vector(const double *slot)
+LUBCONTACT_FN inline Vec3 get_vector(const double *slot)
 {
   return {slot[0], slot[1], slot[2]};
 }
 
-inline void put_vector(const Vec3 &a, double *slot)
+LUBCONTACT_FN inline void put_vector(const Vec3 &a, double *slot)
 {
   slot[0] = a.x;
   slot[1] = a.y;
@@ -105,7 +107,7 @@ inline void put_vector(const Vec3 &a, double *slot)
 
 // History of a pair seen for the first time.
 template <class E>
-inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *next)
+LUBCONTACT_FN inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *next)
 {
   for (int m = 0; m < E::HISTORY_SIZE; m++) next[m] = 0.0;
   bool bond = false;
@@ -120,12 +122,12 @@ inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *ne
   if constexpr (E::surface_history) next[E::SURFACE_SLOT] = g.un;
 }
 
-// History after a step of length dt that ended at the geometry g, next_gap(old, un0_a, un1_a) giving the
-// gap. old and next may be the same.
+// History after a step of length dt that ended at the geometry g, next_gap(old, un0_a, un1_a)
+// giving the gap. old and next may be the same.
 template <class E, class NextGap>
-inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
-                         const PairGeometry &g, const Body &i, const Body &j, double dt,
-                         const double *old, double *next)
+LUBCONTACT_FN inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
+                                       const PairGeometry &g, const Body &i, const Body &j,
+                                       double dt, const double *old, double *next)
 {
   Gap before{}, after{};
   [[maybe_unused]] const bool held = holds<E>(old);
@@ -193,8 +195,9 @@ inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
 }
 
 template <class E>
-inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry &g, const Body &i,
-                         const Body &j, double dt, const double *old, double *next)
+LUBCONTACT_FN inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry &g,
+                                       const Body &i, const Body &j, double dt, const double *old,
+                                       double *next)
 {
   auto gap = [&](const Gap &before, double un0_a, double un1_a) {
     return next_gap<E::normal>(c.normal, f, g.a, before, un0_a, un1_a, dt);
@@ -204,9 +207,9 @@ inline void next_history(const PairCoeffs &c, const Film &f, const PairGeometry 
 
 // The same without a branch, for a loop over pairs: false, and next void, if the step is not usual.
 template <class E>
-inline bool next_history_usual(const PairCoeffs &c, const Film &f, const PairGeometry &g,
-                               const Body &i, const Body &j, double dt, const double *old,
-                               double *next)
+LUBCONTACT_FN inline bool next_history_usual(const PairCoeffs &c, const Film &f,
+                                             const PairGeometry &g, const Body &i, const Body &j,
+                                             double dt, const double *old, double *next)
 {
   bool usual = true;
   auto gap = [&](const Gap &before, double un0_a, double un1_a) {
@@ -218,8 +221,8 @@ inline bool next_history_usual(const PairCoeffs &c, const Film &f, const PairGeo
 
 // Forces and torques at the geometry g, from the history of that moment.
 template <class E>
-inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
-                      const double *history)
+LUBCONTACT_FN inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
+                                    const double *history)
 {
   Load load{};
   load.u = g.a * present_gap_a<E>(c, g, history);
@@ -241,45 +244,50 @@ inline Load pair_load(const PairCoeffs &c, const Film &f, const PairGeometry &g,
   return load;
 }
 
-inline Vec3 force_on_i(const Load &load, const PairGeometry &g)
+LUBCONTACT_FN inline Vec3 force_on_i(const Load &load, const PairGeometry &g)
 {
   return load.normal * g.n + load.shear;
 }
 
 // Torques about the centers; together with the force they conserve angular momentum.
-inline Vec3 torque_on_i(const Load &load, const PairGeometry &g)
+LUBCONTACT_FN inline Vec3 torque_on_i(const Load &load, const PairGeometry &g)
 {
   return load.couple - g.arm_i * cross(g.n, load.shear);
 }
 
-inline Vec3 torque_on_j(const Load &load, const PairGeometry &g)
+LUBCONTACT_FN inline Vec3 torque_on_j(const Load &load, const PairGeometry &g)
 {
   return -1.0 * load.couple - g.arm_j * cross(g.n, load.shear);
 }
 
 // Contact state, and the share of friction in the tangential force.
-inline ShearSplit split(const Load &load)
+LUBCONTACT_FN inline ShearSplit split(const Load &load)
 {
   return shear_split(load.shear, load.cone, load.touch);
 }
 
 // Forces on i by origin.
-inline std::array<Vec3, NUM_CHANNELS> force_by_channel(const PairGeometry &g, const Load &load)
+struct ChannelForces {
+  Vec3 of[NUM_CHANNELS];
+};
+
+LUBCONTACT_FN inline ChannelForces force_by_channel(const PairGeometry &g, const Load &load)
 {
   static_assert(NUM_CHANNELS == 5, "each channel needs its force here");
   const ShearSplit parts = split(load);
-  std::array<Vec3, NUM_CHANNELS> force;
-  force[CONTACT_NORMAL] = load.contact * g.n;
-  force[LUBRICATION_NORMAL] = load.film * g.n;
-  force[CONTACT_TANGENTIAL] = parts.contact * load.shear;
-  force[LUBRICATION_TANGENTIAL] = (1.0 - parts.contact) * load.shear;
-  force[SCREENED_REPULSION] = load.repulsion * g.n;
+  ChannelForces force;
+  force.of[CONTACT_NORMAL] = load.contact * g.n;
+  force.of[LUBRICATION_NORMAL] = load.film * g.n;
+  force.of[CONTACT_TANGENTIAL] = parts.contact * load.shear;
+  force.of[LUBRICATION_TANGENTIAL] = (1.0 - parts.contact) * load.shear;
+  force.of[SCREENED_REPULSION] = load.repulsion * g.n;
   return force;
 }
 
 // Energy stored in the springs.
 template <class E>
-inline double pair_energy(const PairCoeffs &c, const PairGeometry &g, const Load &load)
+LUBCONTACT_FN inline double pair_energy(const PairCoeffs &c, const PairGeometry &g,
+                                        const Load &load)
 {
   double energy = normal_energy<E::normal>(c.normal, g.a, g.un, load.u, load.touch);
   if constexpr (E::tangential) energy += 0.5 * dot(load.shear, load.shear) / c.kt;

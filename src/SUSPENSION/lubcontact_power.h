@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Power of a pair by origin: what a step put into its springs and what it turned into heat. From the
-// history before and after the step, so that the sum over a run closes the balance of energy:
+// Power of a pair by origin: what a step put into its springs and what it turned into heat. From
+// the history before and after the step, so that the sum over a run closes the balance of energy:
 //     work done on the pair = dissipated + stored,   work = -(F0 + F1)/2 . displacement
 // F0 and F1 being the force before and after the step; the rest is the error of the step in the
 // kinetic energy, of second order.
@@ -16,6 +16,7 @@
 #ifndef LUBCONTACT_POWER_H
 #define LUBCONTACT_POWER_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_pair.h"
 
 namespace LAMMPS_NS::Lubcontact_NS {
@@ -38,10 +39,11 @@ struct Energies {
   double of[NUM_ORIGINS] = {};
 };
 
-// Energy stored in the springs. The one of shear belongs to friction and film as they share its force.
+// Energy stored in the springs. The one of shear belongs to friction and film as they share its
+// force.
 template <class E>
-inline Energies stored_energy(const PairCoeffs &c, const PairGeometry &g, const Load &load,
-                              const double *history)
+LUBCONTACT_FN inline Energies stored_energy(const PairCoeffs &c, const PairGeometry &g,
+                                            const Load &load, const double *history)
 {
   Energies energy;
   const double all = normal_energy<E::normal>(c.normal, g.a, g.un, load.u, load.touch);
@@ -64,16 +66,18 @@ inline Energies stored_energy(const PairCoeffs &c, const PairGeometry &g, const 
 }
 
 // Lost by a Maxwell spring that moved from q0 to q1 while its ends moved by `moved`.
-inline double lost(double stiffness, const Vec3 &q0, const Vec3 &q1, const Vec3 &moved)
+LUBCONTACT_FN inline double lost(double stiffness, const Vec3 &q0, const Vec3 &q1,
+                                 const Vec3 &moved)
 {
   return 0.5 * stiffness * dot(q0 + q1, moved - (q1 - q0));
 }
 
-// Of the bulk and the asperities between two states; with a film all but the energy of a contact that
-// breaks is its loss.
+// Of the bulk and the asperities between two states; with a film all but the energy of a contact
+// that breaks is its loss.
 template <class E>
-inline void normal_loss(const PairCoeffs &c, double a, bool film, double un_moved,
-                        const Load &before, const Load &after, double stored, Energies &loss)
+LUBCONTACT_FN inline void normal_loss(const PairCoeffs &c, double a, bool film, double un_moved,
+                                      const Load &before, const Load &after, double stored,
+                                      Energies &loss)
 {
   const double all = -0.5 * (before.normal + after.normal) * un_moved - stored;
   double broken = 0.0;
@@ -89,8 +93,9 @@ inline void normal_loss(const PairCoeffs &c, double a, bool film, double un_move
 // Energy turned into heat by the step of length dt that ended at the geometry g with the history
 // `next`; `old` is the one before.
 template <class E>
-inline Energies step_loss(const PairCoeffs &c, const Film &f, const PairGeometry &g, const Body &i,
-                          const Body &j, double dt, const double *old, const double *next)
+LUBCONTACT_FN inline Energies step_loss(const PairCoeffs &c, const Film &f, const PairGeometry &g,
+                                        const Body &i, const Body &j, double dt, const double *old,
+                                        const double *next)
 {
   Energies loss;
   if constexpr (!E::surface_history && !E::adhesion) return loss;    // elastic

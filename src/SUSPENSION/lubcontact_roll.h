@@ -13,6 +13,7 @@
 #ifndef LUBCONTACT_ROLL_H
 #define LUBCONTACT_ROLL_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_maxwell.h"
 #include "lubcontact_vec3.h"
 
@@ -20,7 +21,8 @@ namespace LAMMPS_NS::Lubcontact_NS {
 
 // Elastic part of the relative rolling after a step: q0 already turned with the pair, roll the
 // relative rolling of the step. Torque on i: -stiffness q.
-inline Vec3 next_roll(const Vec3 &q0, const Vec3 &roll, double resistance, double stiffness_dt)
+LUBCONTACT_FN inline Vec3 next_roll(const Vec3 &q0, const Vec3 &roll, double resistance,
+                                    double stiffness_dt)
 {
   const Relaxation f = relaxation(resistance, stiffness_dt);
   return f.keep * q0 + f.gain * roll;

@@ -16,6 +16,7 @@
 #ifndef LUBCONTACT_SHEAR_H
 #define LUBCONTACT_SHEAR_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_maxwell.h"
 #include "lubcontact_vec3.h"
 
@@ -29,14 +30,14 @@ enum class ContactState { NONE, STICK, SLIP };
 //   cone0, cone    mu N/kt before and after: longest elastic displacement that friction alone can
 //                  hold; 0 without contact
 //   resistance, stiffness_dt    of the film (0: none) and kt dt
-inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone0, double cone,
-                       double resistance, double stiffness_dt)
+LUBCONTACT_FN inline Vec3 next_shear(const Vec3 &q0, const Vec3 &slip, double cone0, double cone,
+                                     double resistance, double stiffness_dt)
 {
   const Vec3 trial = q0 + slip;
   const double far = norm(trial), near = norm(q0);
 
-  // what is beyond the cone, which moves with the load, is the film's and relaxes. A slip that begins
-  // inside sticks until the border and slips for the share last/moved of the step; only
+  // what is beyond the cone, which moves with the load, is the film's and relaxes. A slip that
+  // begins inside sticks until the border and slips for the share last/moved of the step; only
   // stiffness dt/resistance counts
   const double first = near - cone0, last = far - cone, moved = last - first;
   const bool slips = far > cone;
@@ -57,13 +58,13 @@ struct ShearSplit {
   double contact;    // friction over the whole tangential force, 0 to 1; the rest is the film
 };
 
-inline ShearSplit shear_split(const Vec3 &q, double cone, bool touching)
+LUBCONTACT_FN inline ShearSplit shear_split(const Vec3 &q, double cone, bool touching)
 {
   if (!touching) return {ContactState::NONE, 0.0};
   const double size = norm(q);
   // a slip without film returns to the cone only to rounding
   if (size < cone * (1.0 - 1e-12)) return {ContactState::STICK, 1.0};
-  return {ContactState::SLIP, size > 0.0 ? std::fmin(1.0, cone / size) : 1.0};
+  return {ContactState::SLIP, size > 0.0 ? smaller(cone / size, 1.0) : 1.0};
 }
 
 }    // namespace LAMMPS_NS::Lubcontact_NS

@@ -7,8 +7,9 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The stiffest mode of a pair as one of its spheres feels it, for bounds of the time step. With x the
-// displacements across n, s = arm theta those of the surfaces by spin and b = a/arm, the springs hold
+// The stiffest mode of a pair as one of its spheres feels it, for bounds of the time step. With x
+// the displacements across n, s = arm theta those of the surfaces by spin and b = a/arm, the
+// springs hold
 //     kt/2 [ (x_i - x_j - s_i - s_j)^2 + (b_i s_i - b_j s_j)^2 ]    slip and roll
 //     kt/2 (b_i s_i - b_j s_j)^2                                    twist
 // and  (x - s)^2 <= (1 + 1/t) x^2 + (1 + t) s^2  for any t > 0,  2 x y <= x^2 + y^2  part this into
@@ -19,9 +20,9 @@
 #ifndef LUBCONTACT_STIFFNESS_H
 #define LUBCONTACT_STIFFNESS_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_geometry.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace LAMMPS_NS::Lubcontact_NS {
@@ -34,8 +35,9 @@ struct PairStiffness {
 };
 
 // roll, twist: do these films act?
-inline PairStiffness pair_stiffness(double g, double kt, double spin, const PairGeometry &p,
-                                    double radius_i, double radius_j, bool roll, bool twist)
+LUBCONTACT_FN inline PairStiffness pair_stiffness(double g, double kt, double spin,
+                                                  const PairGeometry &p, double radius_i,
+                                                  double radius_j, bool roll, bool twist)
 {
   const double qi = spin * p.arm_i * p.arm_i / (radius_i * radius_i);
   const double qj = spin * p.arm_j * p.arm_j / (radius_j * radius_j);
@@ -45,7 +47,7 @@ inline PairStiffness pair_stiffness(double g, double kt, double spin, const Pair
   // 2 (1 + 1/t) = q (2 (1 + t) + e), e = b^2 - b_i b_j with roll
   const bool of_i = qi * (1.0 + bi * bi) > qj * (1.0 + bj * bj);
   const double q = of_i ? qi : qj, b = of_i ? bi : bj;
-  const double e = roll ? std::max(0.0, b * b - both) : 0.0;
+  const double e = roll ? larger(b * b - both, 0.0) : 0.0;
   const double B = q * (2.0 + e) - 2.0;
   const double t = (std::sqrt(B * B + 16.0 * q) - B) / (4.0 * q);
 
@@ -54,7 +56,7 @@ inline PairStiffness pair_stiffness(double g, double kt, double spin, const Pair
     const double rolling = b_own * b_own + std::fabs(1.0 + t - both);
     const double spinning = 0.5 * q_own * (1.0 + t + (roll ? rolling : 1.0 + t));
     const double twisting = twist ? 0.5 * q_own * (b_own * b_own + std::fabs(both)) : 0.0;
-    return std::max(g, kt * std::max(sliding, std::max(spinning, twisting)));
+    return larger(kt * larger(twisting, larger(spinning, sliding)), g);
   };
   return {of(qi, bi), of(qj, bj)};
 }

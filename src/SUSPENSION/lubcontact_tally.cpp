@@ -79,7 +79,7 @@ void LubcontactTally::add_stress(int i, int j, double weight, const PairGeometry
   const auto force_of = Lubcontact_NS::force_by_channel(geometry, load);
   const Vec3 d = geometry.r * geometry.n;
   for (int m = 0; m < NUM_CHANNELS; m++) {
-    const Vec3 &f = force_of[m];
+    const Vec3 &f = force_of.of[m];
     const double product[NUM_COMPONENTS] = {d.x * f.x, d.y * f.y, d.z * f.z, d.x * f.y, d.x * f.z,
                                             d.y * f.z, d.y * f.x, d.z * f.x, d.z * f.y};
     if (stress_now)

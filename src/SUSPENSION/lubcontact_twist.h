@@ -13,13 +13,15 @@
 #ifndef LUBCONTACT_TWIST_H
 #define LUBCONTACT_TWIST_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_maxwell.h"
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
 // Elastic part of the relative twist after a step: twist the relative rotation of the step about
 // n. Torque on i: -stiffness q n.
-inline double next_twist(double q0, double twist, double resistance, double stiffness_dt)
+LUBCONTACT_FN inline double next_twist(double q0, double twist, double resistance,
+                                       double stiffness_dt)
 {
   const Relaxation f = relaxation(resistance, stiffness_dt);
   return f.keep * q0 + f.gain * twist;

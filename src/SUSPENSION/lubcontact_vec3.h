@@ -12,53 +12,59 @@
 #ifndef LUBCONTACT_VEC3_H
 #define LUBCONTACT_VEC3_H
 
+#include "lubcontact_defs.h"
+
 #include <cmath>
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Vec3 {
   double x = 0.0, y = 0.0, z = 0.0;
-
-  friend Vec3 operator+(const Vec3 &a, const Vec3 &b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Vec3 operator-(const Vec3 &a, const Vec3 &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Vec3 operator*(double s, const Vec3 &a) { return {s * a.x, s * a.y, s * a.z}; }
 };
 
-// Branch-free, unlike std::fmax a single instruction; the second argument if one is not a number.
-inline double larger(double a, double b)
+LUBCONTACT_FN inline Vec3 operator+(const Vec3 &a, const Vec3 &b)
 {
-  return a > b ? a : b;
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-// Branch-free choice.
-inline Vec3 select(bool first, const Vec3 &a, const Vec3 &b)
+LUBCONTACT_FN inline Vec3 operator-(const Vec3 &a, const Vec3 &b)
 {
-  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-inline double dot(const Vec3 &a, const Vec3 &b)
+LUBCONTACT_FN inline Vec3 operator*(double s, const Vec3 &a)
+{
+  return {s * a.x, s * a.y, s * a.z};
+}
+
+LUBCONTACT_FN inline Vec3 select(bool first, const Vec3 &a, const Vec3 &b)
+{
+  return {select(first, a.x, b.x), select(first, a.y, b.y), select(first, a.z, b.z)};
+}
+
+LUBCONTACT_FN inline double dot(const Vec3 &a, const Vec3 &b)
 {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-inline Vec3 cross(const Vec3 &a, const Vec3 &b)
+LUBCONTACT_FN inline Vec3 cross(const Vec3 &a, const Vec3 &b)
 {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-inline double norm(const Vec3 &a)
+LUBCONTACT_FN inline double norm(const Vec3 &a)
 {
   return std::sqrt(dot(a, a));
 }
 
 // Part of a perpendicular to the unit vector n.
-inline Vec3 tangential(const Vec3 &a, const Vec3 &n)
+LUBCONTACT_FN inline Vec3 tangential(const Vec3 &a, const Vec3 &n)
 {
   return a - dot(a, n) * n;
 }
 
 // Rotates a by the Cayley vector c = 2 tan(angle/2) axis: orthogonal for any c, no trigonometry.
-inline Vec3 turned(const Vec3 &a, const Vec3 &c)
+LUBCONTACT_FN inline Vec3 turned(const Vec3 &a, const Vec3 &c)
 {
   const Vec3 ca = cross(c, a);
   return a + (1.0 / (1.0 + 0.25 * dot(c, c))) * (ca + 0.5 * cross(c, ca));

@@ -87,6 +87,24 @@ inline Cell advance(const Cell &h, const Cell &rate, double dt)
   return {h.lx + dt * rate.lx, h.ly + dt * rate.ly, h.lz + dt * rate.lz, h.xy + dt * rate.xy};
 }
 
+// What a cell does, numbers only: restart files hold it as it is.
+struct CellMotion {
+  double strain = 0.0, path = 0.0;    // sums of the rate and of its amount over time
+  double time = 0.0;                  // since an oscillation began
+  double rate = 0.0, dilation = 0.0;
+  Gradient gradient;                           // when the flow was last adjusted
+  Cell rate_of_cell = {0.0, 0.0, 0.0, 0.0};    // and the change of the cell per time since then
+  double moved = 0.0;                          // time since then
+};
+
+inline void pass(CellMotion &m, double dt)
+{
+  m.strain += m.rate * dt;
+  m.path += std::fabs(m.rate) * dt;
+  m.time += dt;
+  m.moved += dt;
+}
+
 // how many edges (lx,0,0) to add to the second edge so that its tilt is at most half an edge
 inline int flips(const Cell &h)
 {

@@ -16,8 +16,8 @@ template <class E> int compare(Random &rnd, const Film &f, double dt)
   Batch b{};
   for (int l = 0; l < Batch::WIDTH; l++) {
     cases.emplace_back(rnd);
-    cases[l].template set_history<E>(rnd, cases[l].geometry());
-    put(cases[l], b, l);
+    cases.back().template set_history<E>(rnd, cases.back().geometry());
+    put(cases.back(), b, l);
   }
   step_batch<E>(b, f, dt);
 
@@ -25,7 +25,7 @@ template <class E> int compare(Random &rnd, const Film &f, double dt)
   for (int l = 0; l < Batch::WIDTH; l++) {
     if (b.usual[l] == 0.0) continue;
     usual++;
-    Case &k = cases[l];
+    Case &k = cases[static_cast<std::size_t>(l)];
     const PairGeometry g = k.geometry();
     next_history<E>(k.c, f, g, k.i, k.j, dt, k.history, k.history);
     for (int m = 0; m < E::HISTORY_SIZE; m++) EXPECT_EQ(b.history[m][l], k.history[m]);

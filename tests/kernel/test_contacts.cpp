@@ -71,10 +71,10 @@ TEST(ForceByChannel, AddsUpToTheForceOfThePair)
     l.cone = 0.5 * l.contact;
     const auto force = force_by_channel(g, l);
     Vec3 sum;
-    for (const Vec3 &f : force) sum = sum + f;
+    for (const Vec3 &f : force.of) sum = sum + f;
     expect_near(sum, force_on_i(l, g), 1e-14);
-    EXPECT_LE(norm(force[CONTACT_TANGENTIAL]), l.cone * (1.0 + 1e-12));
-    EXPECT_NEAR(norm(cross(force[CONTACT_NORMAL], n)), 0.0, 1e-14);
+    EXPECT_LE(norm(force.of[CONTACT_TANGENTIAL]), l.cone * (1.0 + 1e-12));
+    EXPECT_NEAR(norm(cross(force.of[CONTACT_NORMAL], n)), 0.0, 1e-14);
   }
 }
 

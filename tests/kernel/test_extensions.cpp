@@ -49,7 +49,7 @@ template <unsigned X> Outcome follow(const LawsCase &c, int steps)
   Gap gap = gap_of(c.u0, c.u0 < c.eps);
   Outcome out{0.0, 0};
   for (int n = 0; n < steps; n++) {
-    const bool bond = gap.bond;
+    const bool bond = gap.bond != 0.0;
     gap = next_gap<X>(coeffs, film, a, gap, motion(c, n * h), motion(c, (n + 1) * h), h * tau);
     out.transitions += gap.bond != bond;
     if ((n + 1) % (steps / 16) == 0)
@@ -60,14 +60,14 @@ template <unsigned X> Outcome follow(const LawsCase &c, int steps)
 
 template <unsigned X> double force(const NormalCoeffs &c, double a, double un, const Gap &gap)
 {
-  const NormalForce f = normal_force<X>(c, a, a * un, a * gap.u_a, true, gap.bond);
+  const NormalForce f = normal_force<X>(c, a, a * un, a * gap.u_a, true, gap.bond != 0.0);
   return f.contact + f.film + f.repulsion;
 }
 
 // Energy over a pair of gap and surfaces, in units of a.
 template <unsigned X> double energy(const NormalCoeffs &c, double a, double un, const Gap &gap)
 {
-  return normal_energy<X>(c, a, a * un, a * gap.u_a, gap.bond);
+  return normal_energy<X>(c, a, a * un, a * gap.u_a, gap.bond != 0.0);
 }
 
 // Any coefficients, and a gap that may be far from rest.
@@ -134,7 +134,7 @@ TEST(Extensions, ThatAreZeroAreTheLawWithoutThemBitForBit)
       ASSERT_EQ(both.ln_u, plain.ln_u);
       const bool film = f.viscosity > 0.0;
       const NormalForce p = normal_force(c, a, a * un1, a * plain.u_a, film);
-      const NormalForce q = normal_force<BOTH>(c, a, a * un1, a * both.u_a, film, both.bond);
+      const NormalForce q = normal_force<BOTH>(c, a, a * un1, a * both.u_a, film, both.bond != 0.0);
       EXPECT_NEAR(p.contact, q.contact, 1e-12 * c.g * a);
       EXPECT_NEAR(p.film, q.film, 1e-12 * c.g * a);
       EXPECT_EQ(q.repulsion, 0.0);
@@ -150,7 +150,7 @@ TEST(Extensions, ElasticGapBalancesAllForcesAndIsARestOfTheStep)
   int bonds = 0;
   for (int trial = 0; trial < 20000; trial++) {
     const Draw d(rnd);
-    const bool bond = elastic_contact<BOTH>(d.c, d.a, d.un, d.gap.bond);
+    const bool bond = elastic_contact<BOTH>(d.c, d.a, d.un, d.gap.bond != 0.0);
     const double u = elastic_gap_a<BOTH>(d.c, d.a, d.un, bond);
     if (u <= THINNEST_A) continue;
     const double k = bond ? d.c.asperity : 0.0, eps = d.c.gap.eps_a;
@@ -175,9 +175,9 @@ TEST(Extensions, EnergyIsTheWorkOfTheForces)
     const double e = 1e-5 * d.gap.u_a;
     if (std::fabs(d.gap.u_a - d.c.gap.eps_a) < 2.0 * e) continue;
     const NormalForce f =
-        normal_force<BOTH>(d.c, d.a, d.a * d.un, d.a * d.gap.u_a, true, d.gap.bond);
+        normal_force<BOTH>(d.c, d.a, d.a * d.un, d.a * d.gap.u_a, true, d.gap.bond != 0.0);
     auto at = [&](double un, double u) {
-      return normal_energy<BOTH>(d.c, d.a, d.a * un, d.a * u, d.gap.bond);
+      return normal_energy<BOTH>(d.c, d.a, d.a * un, d.a * u, d.gap.bond != 0.0);
     };
     const double by_un = (at(d.un + e, d.gap.u_a) - at(d.un - e, d.gap.u_a)) / (2.0 * e * d.a);
     const double by_u = (at(d.un, d.gap.u_a + e) - at(d.un, d.gap.u_a - e)) / (2.0 * e * d.a);
@@ -202,8 +202,8 @@ TEST(Adhesion, SmoothSurfacesNeverHold)
       gap = next_gap<ADHESION>(c, f, 1.0, gap, un, un, 1.0);
       plain = next_gap(c, f, 1.0, plain, un, un, 1.0);
       EXPECT_EQ(gap.ln_u, plain.ln_u);
-      EXPECT_FALSE(gap.bond);
-      const NormalForce a = normal_force<ADHESION>(c, 1.0, un, gap.u_a, eta > 0.0, gap.bond);
+      EXPECT_FALSE(gap.bond != 0.0);
+      const NormalForce a = normal_force<ADHESION>(c, 1.0, un, gap.u_a, eta > 0.0, gap.bond != 0.0);
       const NormalForce b = normal_force(c, 1.0, un, plain.u_a, eta > 0.0);
       EXPECT_EQ(a.contact, b.contact);
       EXPECT_EQ(a.film, b.film);
@@ -225,7 +225,8 @@ TEST(Adhesion, HoldsUntilTheGapExceedsTheReleaseAndNoLonger)
     EXPECT_EQ(gap.bond, holds) << un;
     const double rest = holds ? (un + alpha * eps) / (1.0 + alpha) : un;
     EXPECT_NEAR(gap.u_a, rest, 1e-9) << un;
-    const NormalForce force = normal_force<ADHESION>(c, a, a * un, a * gap.u_a, true, gap.bond);
+    const NormalForce force =
+        normal_force<ADHESION>(c, a, a * un, a * gap.u_a, true, gap.bond != 0.0);
     EXPECT_NEAR(force.contact, holds ? k * a * (eps - rest) : 0.0, 1e-6) << un;
     EXPECT_NEAR(force.film, 0.0, 1e-6);
     // the same without film
@@ -261,8 +262,8 @@ TEST(Adhesion, DoesNotDependOnWhereTheStepIsCut)
     const Gap parts = next_gap<ADHESION>(c, f, 1.0, first, un, un, (1.0 - cut) * dt);
     EXPECT_NEAR(parts.ln_u, whole.ln_u, 1e-10 * (1.0 + std::fabs(whole.ln_u)));
     EXPECT_EQ(parts.bond, whole.bond);
-    broken += bond && !whole.bond;
-    formed += !bond && whole.bond;
+    broken += bond && whole.bond == 0.0;
+    formed += !bond && whole.bond != 0.0;
   }
   EXPECT_GT(broken, 1000);
   EXPECT_GT(formed, 1000);
@@ -305,11 +306,11 @@ TEST(Adhesion, ACycleLosesTheEnergyOfTheBreak)
     int changes = 0;
     for (int n = 1; n <= steps; n++) {
       const double un1 = 0.14 + 0.16 * std::cos(2.0 * PI_ * n / steps);
-      const bool bond = gap.bond;
+      const bool bond = gap.bond != 0.0;
       gap = next_gap<ADHESION>(c, f, a, gap, un0, un1, 1e-2);
       changes += bond != gap.bond;
       const NormalForce n1 =
-          normal_force<ADHESION>(c, a, a * un1, a * gap.u_a, eta > 0.0, gap.bond);
+          normal_force<ADHESION>(c, a, a * un1, a * gap.u_a, eta > 0.0, gap.bond != 0.0);
       const double now = n1.contact + n1.film;
       work -= 0.5 * (old + now) * a * (un1 - un0);
       old = now;
@@ -355,9 +356,9 @@ TEST(Extensions, AStepOfAnyLengthIsFiniteAndSettles)
                          rnd.log_uniform(1e-9, 1e9));
     ASSERT_TRUE(std::isfinite(gap.ln_u) && gap.u_a >= 0.0);
     for (int n = 0; n < 200; n++) gap = next_gap<BOTH>(d.c, f, d.a, gap, d.un, d.un, 1e9);
-    const double rest = elastic_gap_a<BOTH>(d.c, d.a, d.un, gap.bond);
+    const double rest = elastic_gap_a<BOTH>(d.c, d.a, d.un, gap.bond != 0.0);
     if (rest > THINNEST_A) { EXPECT_NEAR(gap.u_a, rest, 1e-9 * (rest + 1.0)) << "trial " << trial; }
-    EXPECT_EQ(gap.bond, elastic_contact<BOTH>(d.c, d.a, d.un, gap.bond));
+    EXPECT_EQ(gap.bond, elastic_contact<BOTH>(d.c, d.a, d.un, gap.bond != 0.0));
   }
 }
 

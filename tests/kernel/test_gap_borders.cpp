@@ -49,9 +49,9 @@ struct Step {
   }
 };
 
-double factorial(int n)
+double product_up_to(int n)
 {
-  return n < 2 ? 1.0 : n * factorial(n - 1);
+  return n < 2 ? 1.0 : n * product_up_to(n - 1);
 }
 
 constexpr double SIGNS[] = {1.0, -1.0};
@@ -60,12 +60,13 @@ constexpr double SIGNS[] = {1.0, -1.0};
 
 TEST(GapSeries, CoefficientsAreThoseOfTheIntegrals)
 {
-  for (int n = 0; n < 12; n++) EXPECT_DOUBLE_EQ(PHI_SERIES[n] * factorial(n + 1), 1.0) << n;
-  for (int n = 0; n < 9; n++) EXPECT_DOUBLE_EQ(PSI_SERIES[n] * factorial(n) * (n + 3), 1.0) << n;
-  for (int n = 0; n < 6; n++) EXPECT_DOUBLE_EQ(SHORT_EXP_SERIES[n] * factorial(n), 1.0) << n;
+  for (int n = 0; n < 12; n++) EXPECT_DOUBLE_EQ(PhiSeries::at(n) * product_up_to(n + 1), 1.0) << n;
+  for (int n = 0; n < 9; n++)
+    EXPECT_DOUBLE_EQ(PsiSeries::at(n) * product_up_to(n) * (n + 3), 1.0) << n;
+  for (int n = 0; n < 6; n++) EXPECT_DOUBLE_EQ(ExpSeries<6>::at(n) * product_up_to(n), 1.0) << n;
   double odd = 1.0;    // (2n-1)!!
   for (int n = 0; n < 7; n++) {
-    EXPECT_EQ(ERFCX_SERIES[n], (n % 2 ? -1.0 : 1.0) * odd) << n;
+    EXPECT_EQ(ErfcxSeries::at(n), (n % 2 ? -1.0 : 1.0) * odd) << n;
     odd *= 2 * n + 1;
   }
 }
@@ -79,7 +80,8 @@ TEST(ExponentialMean, SeriesAndClosedFormMeetWithinRounding)
       const double z = sign * size;
       const ExponentialMean m = exponential_mean(z);
       const Weighted w = weighted(z, 0.0L);
-      const double left = size < 0.3 ? 1.3 * 3.0 * std::pow(size, 9) / (factorial(9) * 12.0) : 0.0;
+      const double left = size < 0.3 ? 1.3 * 3.0 * std::pow(size, 9) / (product_up_to(9) * 12.0)
+                                     : 0.0;
       EXPECT_NEAR(m.phi / static_cast<double>(std::exp(w.ln)), 1.0, 2e-15) << z;
       EXPECT_NEAR(m.mean_s2 / static_cast<double>(w.mean_s2), 1.0,
                   left + (size < 0.3 ? 1e-15 : 1e-13))

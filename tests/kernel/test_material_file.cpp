@@ -183,7 +183,7 @@ TEST(MaterialFile, APairLineSaysOnlyWhatItSaysOfItsOwnPair)
       read(GLASS + "adhesion 1\nmaterial B\nmodulus 1\npoisson 0\nadhesion 3\n" +
            "material C\nmodulus 1\npoisson 0\nadhesion 5\n" +
            "pair Glass B adhesion 7\npair C Glass roughness 0\n");
-  auto adhesion = [&](int m, int n) {
+  auto adhesion = [&](std::size_t m, std::size_t n) {
     return pair_surface(file, file.materials[m], file.materials[n]).adhesion;
   };
   EXPECT_EQ(adhesion(0, 1), 7.0);

@@ -68,8 +68,8 @@ TEST(Orientation, DensityOfIsotropicPairsIsOneOverFourPi)
   const int N = 200000;
   for (const Plane plane : {Plane::XY, Plane::XZ, Plane::YZ}) {
     const DirectionBins bins = {plane, 6, 9, 1.0};
-    std::vector<double> count(bins.size(), 0.0);
-    for (int m = 0; m < N; m++) count[bins.find(rnd.unit())] += 1.0;
+    std::vector<double> count(static_cast<std::size_t>(bins.size()), 0.0);
+    for (int m = 0; m < N; m++) count[static_cast<std::size_t>(bins.find(rnd.unit()))] += 1.0;
     const double share = 1.0 / bins.size();    // of each bin
     for (const double c : count)
       EXPECT_NEAR(c / (N * bins.measure_sphere()), 1.0 / (4.0 * PI_),

@@ -11,19 +11,40 @@
 using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
+namespace {
+
+struct Four {
+  static constexpr int SIZE = 4;
+  static constexpr double at(int n)
+  {
+    constexpr double c[] = {2.0, -3.0, 5.0, 7.0};
+    return c[n];
+  }
+};
+
+struct Five {
+  static constexpr int SIZE = 5;
+  static constexpr double at(int n)
+  {
+    constexpr double c[] = {1.0, 0.0, -2.0, 0.5, 4.0};
+    return c[n];
+  }
+};
+
+}    // namespace
+
 TEST(Polynomial, IsTheSumOfItsTermsForEvenAndOddLength)
 {
-  constexpr double FOUR[4] = {2.0, -3.0, 5.0, 7.0}, FIVE[5] = {1.0, 0.0, -2.0, 0.5, 4.0};
-  EXPECT_DOUBLE_EQ(polynomial(FOUR, 0.0), 2.0);
-  EXPECT_DOUBLE_EQ(polynomial(FOUR, 2.0), 72.0);
-  EXPECT_DOUBLE_EQ(polynomial(FIVE, -2.0), 53.0);
-  EXPECT_DOUBLE_EQ(polynomial(FIVE, 1.0), 3.5);
+  EXPECT_DOUBLE_EQ(polynomial<Four>(0.0), 2.0);
+  EXPECT_DOUBLE_EQ(polynomial<Four>(2.0), 72.0);
+  EXPECT_DOUBLE_EQ(polynomial<Five>(-2.0), 53.0);
+  EXPECT_DOUBLE_EQ(polynomial<Five>(1.0), 3.5);
 }
 
 TEST(Polynomial, SeriesOfTheInverseHyperbolicTangent)
 {
   for (double s : {-0.17, -0.02, 0.0, 1e-3, 0.05, 0.17})
-    EXPECT_NEAR(s * polynomial(ARTANH_SERIES, s * s), std::atanh(s), 3e-17 + 1e-15 * std::fabs(s));
+    EXPECT_NEAR(s * polynomial<ArtanhSeries>(s * s), std::atanh(s), 3e-17 + 1e-15 * std::fabs(s));
 }
 
 TEST(Polynomial, ExponentialAgreesWithLongDouble)
@@ -54,11 +75,11 @@ TEST(Polynomial, LogarithmAgreesWithLongDouble)
 
 TEST(Polynomial, CoefficientsAreThoseOfTheSeries)
 {
-  for (int n = 0; n < 11; n++) EXPECT_DOUBLE_EQ(ARTANH_SERIES[n] * (2 * n + 1), 1.0) << n;
+  for (int n = 0; n < 11; n++) EXPECT_DOUBLE_EQ(ArtanhSeries::at(n) * (2 * n + 1), 1.0) << n;
   double factorial = 1.0;
   for (int n = 0; n < 14; n++) {
     if (n > 0) factorial *= n;
-    EXPECT_DOUBLE_EQ(EXP_SERIES[n] * factorial, 1.0) << n;
+    EXPECT_DOUBLE_EQ(ExpSeries<14>::at(n) * factorial, 1.0) << n;
   }
   // high + low is ln 2 to twice the digits, and the high part has room for the exponent
   EXPECT_NEAR(static_cast<double>(LN2_HIGH - std::log(2.0L) + LN2_LOW), 0.0, 1e-19);

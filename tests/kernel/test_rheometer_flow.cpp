@@ -108,6 +108,20 @@ struct Motion {
   }
 };
 
+// forth and back: the strain is 0, its path is not
+TEST(CellMotion, CountsStrainAndItsPath)
+{
+  CellMotion m;
+  for (double rate : {2.0, -2.0}) {
+    m.rate = rate;
+    pass(m, 0.25);
+  }
+  EXPECT_EQ(m.strain, 0.0);
+  EXPECT_EQ(m.path, 1.0);
+  EXPECT_EQ(m.time, 0.5);
+  EXPECT_EQ(m.moved, 0.5);
+}
+
 }    // namespace
 
 TEST(Advance, MultipliesTheCellByOnePlusTheGradient)

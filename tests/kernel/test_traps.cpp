@@ -3,7 +3,7 @@
 // whose step is not usual, and pairs by themselves.
 
 #include "batch_case.h"
-#include "lubcontact_drag.h"
+#include "fluid_drag.h"
 #include "lubcontact_power.h"
 #include "rheometer_flow.h"
 #include "rheometer_plate.h"
@@ -177,8 +177,8 @@ TEST(Traps, WithoutDragWithoutFlowWithoutStress)
 {
   volatile double zero = 0.0;    // nothing is computed by the compiler
   exceptions();
-  EXPECT_EQ(mean_drag(zero), 1.0);
-  EXPECT_EQ(mean_drag_full(zero), 1.0);
+  EXPECT_EQ(LAMMPS_NS::Fluid_NS::mean_drag(zero), 1.0);
+  EXPECT_EQ(LAMMPS_NS::Fluid_NS::mean_drag_full(zero), 1.0);
   EXPECT_EQ(LAMMPS_NS::Rheometer_NS::decay_mean(zero), 1.0);
   EXPECT_EQ(LAMMPS_NS::Rheometer_NS::oscillation_rate(zero, 1.0, zero, zero, 0.1), 1.0);
   EXPECT_EQ(LAMMPS_NS::Rheometer_NS::damped_velocity(2.0, zero, 1.0, zero, 0.1), 2.0);

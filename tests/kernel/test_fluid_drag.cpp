@@ -1,12 +1,12 @@
 // Drag, and the motion that it gives in velocity Verlet and without inertia.
 
-#include "lubcontact_drag.h"
+#include "fluid_drag.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-using namespace LAMMPS_NS::Lubcontact_NS;
+using namespace LAMMPS_NS::Fluid_NS;
 
 namespace {
 
@@ -189,6 +189,12 @@ TEST(Overdamped, SlidingWeighsTheSpinOfBothShapes)
     const double rate = 2.0 * kt / d.translation + 2.0 * R * R * kt / d.rotation;
     EXPECT_NEAR(rate, 2.0 / overdamped_step_limit((1.0 + SPIN_OF_DRAG) * kt, d.translation), 1e-12);
   }
+}
+
+TEST(Drag, MeanHindrance)
+{
+  EXPECT_EQ(mean_hindrance(0.0), 1.0);
+  EXPECT_NEAR(mean_hindrance(0.6), 2.5, 1e-15);
 }
 
 }    // namespace

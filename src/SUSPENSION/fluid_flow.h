@@ -9,12 +9,15 @@
 
 // Background flows towards which particles are dragged: velocity and spin, half of the vorticity.
 
-#ifndef LUBCONTACT_BACKGROUND_H
-#define LUBCONTACT_BACKGROUND_H
+#ifndef LMP_FLUID_FLOW_H
+#define LMP_FLUID_FLOW_H
 
+#include "lubcontact_defs.h"
 #include "lubcontact_vec3.h"
 
-namespace LAMMPS_NS::Lubcontact_NS {
+namespace LAMMPS_NS::Fluid_NS {
+
+using Lubcontact_NS::Vec3;
 
 struct Flow {
   Vec3 velocity;
@@ -22,7 +25,7 @@ struct Flow {
 };
 
 // Along x, with its gradient along y.
-inline Flow shear_flow(double rate, double y)
+LUBCONTACT_FN inline Flow shear_flow(double rate, double y)
 {
   return {{rate * y, 0.0, 0.0}, {0.0, 0.0, -0.5 * rate}};
 }
@@ -32,7 +35,7 @@ struct Couette {
   double low, v_low, high, v_high;
 };
 
-inline Flow couette_flow(const Couette &c, double y)
+LUBCONTACT_FN inline Flow couette_flow(const Couette &c, double y)
 {
   if (y <= c.low) return {{c.v_low, 0.0, 0.0}, {}};
   if (y >= c.high) return {{c.v_high, 0.0, 0.0}, {}};
@@ -45,7 +48,7 @@ struct Poiseuille {
   double low, high, v_most;
 };
 
-inline Flow poiseuille_flow(const Poiseuille &p, double y)
+LUBCONTACT_FN inline Flow poiseuille_flow(const Poiseuille &p, double y)
 {
   if (y <= p.low || y >= p.high) return {};
   const double scale = 4.0 * p.v_most / ((p.high - p.low) * (p.high - p.low));
@@ -56,8 +59,8 @@ inline Flow poiseuille_flow(const Poiseuille &p, double y)
 // Of a cell with edges (xx,0,0), (xy,yy,0), (xz,yz,zz) that change at a constant velocity, in the
 // order xx yy zz yz xz xy: a point that keeps its place in the cell moves with
 // rate_of_cell cell^-1 (x - low) + low_rate, for ever the same. So do its periodic images.
-inline Flow cell_flow(const double *rate, const double *inverse, const Vec3 &x, const Vec3 &low,
-                      const Vec3 &low_rate)
+LUBCONTACT_FN inline Flow cell_flow(const double *rate, const double *inverse, const Vec3 &x,
+                                    const Vec3 &low, const Vec3 &low_rate)
 {
   const Vec3 d = x - low;
   const Vec3 place{inverse[0] * d.x + inverse[5] * d.y + inverse[4] * d.z,
@@ -71,6 +74,6 @@ inline Flow cell_flow(const double *rate, const double *inverse, const Vec3 &x, 
   return {v + low_rate, {-0.5 * yz, 0.5 * xz, -0.5 * xy}};
 }
 
-}    // namespace LAMMPS_NS::Lubcontact_NS
+}    // namespace LAMMPS_NS::Fluid_NS
 
 #endif

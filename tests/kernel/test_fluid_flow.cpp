@@ -1,12 +1,12 @@
 // Background flows: profiles, continuity at walls, spin = half of the curl of the velocity.
 
-#include "lubcontact_background.h"
+#include "fluid_flow.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-using namespace LAMMPS_NS::Lubcontact_NS;
+using namespace LAMMPS_NS::Fluid_NS;
 
 namespace {
 
