@@ -139,8 +139,8 @@ void SceneInstance::copy_state(Fix *fix) const
 void SceneInstance::copy_history(const PairLubcontact *from, const Lubcontact_NS::Law &law)
 {
   const auto *to = dynamic_cast<PairLubcontact *>(lmp->force->pair);
-  FixNeighHistoryLubcontact *source = from->neighbors().history.carrier();
-  FixNeighHistoryLubcontact *target = to->neighbors().history.carrier();
+  FixNeighHistoryLubcontact *source = from->neighbors().history().carrier();
+  FixNeighHistoryLubcontact *target = to->neighbors().history().carrier();
   if (!target) return;
   history_kept = source != nullptr;
   if (!source) return;

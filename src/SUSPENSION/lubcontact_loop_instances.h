@@ -95,8 +95,8 @@ template <class E> class LubcontactLoop : protected Pointers {
 template <class E> void LubcontactLoop<E>::run()
 {
   const bool guard = update->whichflag != 2;    // a minimization may separate anything
-  const NeighList *list = step.pairs.list;
-  LubcontactHistory &history = step.pairs.history;
+  const NeighList *list = step.pairs.list();
+  LubcontactHistory &history = step.pairs.history();
   const int *type = atom->type;
   const double *radius = atom->radius;
   const double *const *x = atom->x;

@@ -36,7 +36,7 @@ static Vec3 vector(const double *a)
 /* ---------------------------------------------------------------------- */
 
 LubcontactPairs::LubcontactPairs(LAMMPS *lmp) :
-    Pointers(lmp), history(lmp), list(nullptr),
+    Pointers(lmp), memory_of_pairs(lmp), neighbors(nullptr),
     tessellation(lmp, "Pair style lubcontact range voronoi")
 {
 }
@@ -53,14 +53,14 @@ void LubcontactPairs::find_faces(const Settings &settings)
 {
   common_faces.clear();
   if (settings.range == Range::VORONOI && settings.films)
-    tessellation.mark_faces(list, common_faces);
+    tessellation.mark_faces(neighbors, common_faces);
 }
 
 /* ---------------------------------------------------------------------- */
 
 RangeOf LubcontactPairs::around(int i) const
 {
-  return range.around(atom->type[i], atom->radius[i], common_faces.of(i));
+  return ranges.around(atom->type[i], atom->radius[i], common_faces.of(i));
 }
 
 bool LubcontactPairs::acts_by_special(int entry) const
@@ -70,7 +70,7 @@ bool LubcontactPairs::acts_by_special(int entry) const
 
 double LubcontactPairs::acting(int i, int n) const
 {
-  const int entry = list->firstneigh[i][n], j = entry & NEIGHMASK;
+  const int entry = neighbors->firstneigh[i][n], j = entry & NEIGHMASK;
   if (!acts_by_special(entry)) return 0.0;
   const Vec3 d = vector(atom->x[i]) - vector(atom->x[j]);
   return around(i).acting(dot(d, d), atom->radius[j], atom->type[j], n);
@@ -85,12 +85,12 @@ double LubcontactPairs::share(int j) const
 
 void LubcontactPairs::each(const Entries &visit) const
 {
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int n = 0; n < list->numneigh[i]; n++) {
+  for (int ii = 0; ii < neighbors->inum; ii++) {
+    const int i = neighbors->ilist[ii];
+    for (int n = 0; n < neighbors->numneigh[i]; n++) {
       const double a = acting(i, n);
       if (a == 0.0) continue;
-      const int j = list->firstneigh[i][n] & NEIGHMASK;
+      const int j = neighbors->firstneigh[i][n] & NEIGHMASK;
       visit({i, j, n, share(j), a});
     }
   }
@@ -110,13 +110,13 @@ void LubcontactPairs::visit(unsigned instance, const Film &film, const Visitor &
   Lubcontact_NS::with_effects(instance, [&present](auto effects) {
     present = &Lubcontact_NS::pair_load<decltype(effects)>;
   });
-  const int size = history.size();
+  const int size = memory_of_pairs.size();
   each([&](const Acting &pair) {
     // the loop of the forces has marked the pairs that it knows
-    if (size && !history.known(pair.i)[pair.n]) return;
+    if (size && !memory_of_pairs.known(pair.i)[pair.n]) return;
     const PairGeometry g = geometry(pair.i, pair.j, pair.a);
-    const PairCoeffs &coeffs = range.of(atom->type[pair.i], atom->type[pair.j]);
-    const double *values = size ? history.values(pair.i) + size * pair.n : nullptr;
+    const PairCoeffs &coeffs = ranges.of(atom->type[pair.i], atom->type[pair.j]);
+    const double *values = size ? memory_of_pairs.values(pair.i) + size * pair.n : nullptr;
     visit(pair.i, pair.j, pair.weight, g, present(coeffs, film, g, values));
   });
 }
@@ -129,8 +129,8 @@ bool LubcontactPairs::find_entry(int i, int j, Entry &entry) const
 {
   auto search = [this, &entry](int owner, int partner, bool swapped, bool by_id) {
     if (owner < 0 || owner >= atom->nlocal) return false;
-    const int *jlist = list->firstneigh[owner];
-    for (int n = 0; n < list->numneigh[owner]; n++) {
+    const int *jlist = neighbors->firstneigh[owner];
+    for (int n = 0; n < neighbors->numneigh[owner]; n++) {
       const int k = jlist[n] & NEIGHMASK;
       if (by_id ? atom->tag[k] != atom->tag[partner] : k != partner) continue;
       entry = {owner, n, swapped};
@@ -138,7 +138,7 @@ bool LubcontactPairs::find_entry(int i, int j, Entry &entry) const
     }
     return false;
   };
-  if (!list || list->inum == 0) return false;
+  if (!neighbors || neighbors->inum == 0) return false;
   if (search(i, j, false, false) || search(j, i, true, false)) return true;
   if (atom->map_style != Atom::MAP_NONE && search(atom->map(atom->tag[j]), i, true, true))
     return true;
@@ -173,10 +173,10 @@ bool LubcontactPairs::excluded(int i, int j) const
 
 const double *LubcontactPairs::find_history(const Entry &entry, double *buffer) const
 {
-  if (!history.size() || !history.known(entry.owner)[entry.n]) return nullptr;
-  const double *found = history.values(entry.owner) + history.size() * entry.n;
+  if (!memory_of_pairs.size() || !memory_of_pairs.known(entry.owner)[entry.n]) return nullptr;
+  const double *found = memory_of_pairs.values(entry.owner) + memory_of_pairs.size() * entry.n;
   if (!entry.swapped) return found;
-  history.exchange(found, buffer);
+  memory_of_pairs.exchange(found, buffer);
   return buffer;
 }
 
@@ -189,16 +189,16 @@ void LubcontactPairs::follow_radii(bool has_gap)
   const bool followed = neighbor->ago != 0 && !update->setupflag && radii.size() == nall;
   if (followed && std::equal(radii.begin(), radii.end(), radius)) return;
   if (followed && has_gap)
-    for (int ii = 0; ii < list->inum; ii++) {
-      const int i = list->ilist[ii];
-      for (int n = 0; n < list->numneigh[i]; n++) {
-        const int j = list->firstneigh[i][n] & NEIGHMASK;
-        if (!history.known(i)[n]) continue;
+    for (int ii = 0; ii < neighbors->inum; ii++) {
+      const int i = neighbors->ilist[ii];
+      for (int n = 0; n < neighbors->numneigh[i]; n++) {
+        const int j = neighbors->firstneigh[i][n] & NEIGHMASK;
+        if (!memory_of_pairs.known(i)[n]) continue;
         if (radius[i] == radii[i] && radius[j] == radii[j]) continue;
         Lubcontact_NS::rescale_gap(
-            Lubcontact_NS::effective_radius(range.rule, radii[i], radii[j]) /
-                Lubcontact_NS::effective_radius(range.rule, radius[i], radius[j]),
-            history.values(i) + history.size() * n);
+            Lubcontact_NS::effective_radius(ranges.rule, radii[i], radii[j]) /
+                Lubcontact_NS::effective_radius(ranges.rule, radius[i], radius[j]),
+            memory_of_pairs.values(i) + memory_of_pairs.size() * n);
       }
     }
   radii.assign(radius, radius + nall);
@@ -209,5 +209,5 @@ void LubcontactPairs::follow_radii(bool has_gap)
 double LubcontactPairs::memory_usage() const
 {
   return common_faces.memory_usage() + static_cast<double>(radii.capacity() * sizeof(double)) +
-      static_cast<double>(range.coeffs.size() * (sizeof(PairCoeffs) + sizeof(double)));
+      static_cast<double>(ranges.coeffs.size() * (sizeof(PairCoeffs) + sizeof(double)));
 }

@@ -29,9 +29,11 @@ class LubcontactPairs : protected Pointers {
  public:
   explicit LubcontactPairs(LAMMPS *);
 
-  LubcontactHistory history;
-  Lubcontact_NS::RangeTable range;
-  NeighList *list;    // LAMMPS'; null before the first run
+  LubcontactHistory &history() { return memory_of_pairs; }
+  Lubcontact_NS::RangeTable &range() { return ranges; }
+  const Lubcontact_NS::RangeTable &range() const { return ranges; }
+  const NeighList *list() const { return neighbors; }    // LAMMPS'; null before the first run
+  void take_list(const NeighList *list) { neighbors = list; }
 
   // which pairs share a face: when the list has been built, where the range asks
   void find_faces(const Lubcontact_NS::Settings &);
@@ -75,6 +77,9 @@ class LubcontactPairs : protected Pointers {
   double memory_usage() const;
 
  private:
+  LubcontactHistory memory_of_pairs;
+  Lubcontact_NS::RangeTable ranges;
+  const NeighList *neighbors;
   RadicalTessellation tessellation;
   FaceFlags common_faces;
   std::vector<double> radii;    // of the last step, where they may change in a run

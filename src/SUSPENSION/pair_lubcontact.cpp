@@ -157,8 +157,8 @@ void PairLubcontact::init_style()
                "squeeze no shear no roll no twist no, friction none, and no adhesion");
 
   neighbor->add_request(this, NeighConst::REQ_DEFAULT | (size ? NeighConst::REQ_HISTORY : 0));
-  pairs->history.require(this, instance->history);
-  pairs->range.resize(atom->ntypes);
+  pairs->history().require(this, instance->history);
+  pairs->range().resize(atom->ntypes);
   max_radius = lubcontact_checks::find_max_radius(lmp);
   pairs->request_ghosts(*given, *std::max_element(max_radius.begin(), max_radius.end()));
   longest = 0.0;    // init_one() comes next
@@ -170,7 +170,7 @@ void PairLubcontact::init_style()
 void PairLubcontact::init_list(int id, NeighList *ptr)
 {
   Pair::init_list(id, ptr);
-  pairs->list = ptr;
+  pairs->take_list(ptr);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -184,13 +184,12 @@ double PairLubcontact::init_one(int i, int j)
   coeffs->check(i, j, *given);
   const auto c = coeffs->of(i, j);
   coeffs->put(i, j, c);    // and for (j,i)
-  pairs->range.set(i, j, *given, c);
+  pairs->range().set(i, j, *given, c);
 
   const double ri = max_radius[i], rj = max_radius[j];
   double end = ri + rj;
   if (ri > 0.0 && rj > 0.0)
-    end +=
-        pairs->range.reach_a_of(i, j) * Lubcontact_NS::effective_radius(given->radius, ri, rj);
+    end += pairs->range().reach_a_of(i, j) * Lubcontact_NS::effective_radius(given->radius, ri, rj);
   longest = MAX(longest, end);
   return end;
 }
@@ -207,12 +206,12 @@ double PairLubcontact::single(int i, int j, int itype, int jtype, double /*rsq*/
   fforce = 0.0;
   for (int m = 0; m < SINGLE_EXTRA; m++) svector[m] = 0.0;
   svector[0] = svector[1] = geometry.un;
-  if (geometry.un >= pairs->range.reach_a_of(itype, jtype) * a) return 0.0;
+  if (geometry.un >= pairs->range().reach_a_of(itype, jtype) * a) return 0.0;
   LubcontactPairs::Entry entry;
   if (!pairs->find_entry(i, j, entry) || pairs->acting(entry.owner, entry.n) == 0.0) return 0.0;
 
   double energy, buffer[MAX_HISTORY];
-  const Load load = instance->single(pairs->range.of(itype, jtype), *film, geometry,
+  const Load load = instance->single(pairs->range().of(itype, jtype), *film, geometry,
                                      pairs->find_history(entry, buffer), energy);
   const Lubcontact_NS::ShearSplit parts = Lubcontact_NS::split(load);
   const double shear = Lubcontact_NS::norm(load.shear);
@@ -256,7 +255,7 @@ double PairLubcontact::sum_over_partners(double spin, double each)
   pairs->each([&](const LubcontactPairs::Acting &p) {
     Lubcontact_NS::PairStiffness k{each, each};
     if (each == 0.0) {
-      const auto &c = pairs->range.of(atom->type[p.i], atom->type[p.j]);
+      const auto &c = pairs->range().of(atom->type[p.i], atom->type[p.j]);
       k = Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, pairs->geometry(p.i, p.j, p.a),
                                         atom->radius[p.i], atom->radius[p.j], roll, twist);
     }
@@ -409,7 +408,7 @@ unsigned PairLubcontact::effects() const
 
 void PairLubcontact::transfer_history(double *source, double *target, int, int)
 {
-  pairs->history.exchange(source, target);
+  pairs->history().exchange(source, target);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -40,7 +40,7 @@ void SuspensionHistory::command(int narg, char **arg)
                "Command suspension_history is of pair_style lubcontact, which is not defined");
   bigint forgotten = 0;
   for (const auto &pair : PairLubcontact::all(lmp))
-    forgotten += pair->neighbors().history.forget(group->bitmask[igroup]);
+    forgotten += pair->neighbors().history().forget(group->bitmask[igroup]);
   const bigint members = group->count(igroup);
   if (comm->me == 0)
     utils::logmesg(lmp,

@@ -118,6 +118,15 @@ class Layers(unittest.TestCase):
         self.judge("style headers", (f"{name}: {other}" for name in styles for other in INCLUDES[name]
                                      if other != base_header(TEXT[name])))
 
+    def test_the_pair_style_is_short_and_owns_no_public_data(self):
+        header = TEXT["pair_lubcontact.h"]
+        self.assertLess(header.count("\n"), 150)
+        public = header[header.index(" public:"):header.index(" private:")]
+        code = re.sub(r"//[^\n]*", "", public)
+        data = [statement.strip() for statement in code.split(";") if statement.strip()
+                and "(" not in statement and not re.match(r"(?:public:\s*)?using\b", statement.strip())]
+        self.assertEqual(data, [])
+
     def test_files_have_the_licence_notice(self):
         for name, text in TEXT.items():
             head = "\n".join(text.splitlines()[:9])
