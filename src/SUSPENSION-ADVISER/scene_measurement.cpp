@@ -39,7 +39,7 @@ static constexpr int BLOCKS = 10;    // of a run; the second half counts
 static constexpr int COUNTED = 5;
 static constexpr char COLUMNS[] = "  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n";
 
-// what measuring an effect would need, that the deck does not have
+// what measuring an effect would need, where keywords of this command can give it
 struct Cure {
   unsigned bit;
   const char *text;
@@ -60,7 +60,7 @@ struct SceneMeasurement::Row {
 
   Row() = default;
   explicit Row(const Lubcontact_NS::EffectRow &effect) :
-      bit(effect.bit), name(effect.name), power(-1), cure("")
+      bit(effect.bit), name(effect.name), power(-1), cure("give its coefficients with pair_coeff")
   {
     if (effect.channel < Lubcontact_NS::NUM_CHANNELS)
       stress = Lubcontact_NS::stress_row(effect.channel);

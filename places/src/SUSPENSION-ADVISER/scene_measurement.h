@@ -1,0 +1,48 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_SCENE_MEASUREMENT_H
+#define LMP_SCENE_MEASUREMENT_H
+
+#include "lubcontact_law.h"
+#include "pointers.h"
+#include "scene_instance.h"
+
+#include <string>
+
+namespace LAMMPS_NS {
+
+// Advice from runs of copies of the system: with everything on, and without each effect in turn.
+class SceneMeasurement : protected Pointers {
+ public:
+  explicit SceneMeasurement(LAMMPS *lmp) : Pointers(lmp) {}
+  std::string advice(int, char **);    // measure N keyword values ...
+
+ private:
+  using Parts = SceneInstance::Parts;
+  struct Case {    // what acts in a copy
+    Lubcontact_NS::Law law;
+    bool drag = true;
+  };
+  struct Measured;
+  struct Options;
+  struct Row;
+  struct Comparison;
+
+  Options parse(int, char **) const;
+  void check_laws(const Options &, const Lubcontact_NS::Law &) const;
+  Measured run_copy(const Parts &, int, const Case &) const;
+  std::string deck_lines(const Parts &, const Case &) const;
+  std::string leave_out_in_turn(const Parts &, const Options &) const;
+  std::string head_of(const Parts &, const Measured &, int, bool) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

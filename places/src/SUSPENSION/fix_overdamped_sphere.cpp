@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "fix_overdamped_sphere.h"
+
+#include "atom.h"
+#include "background_fluid.h"
+#include "comm.h"
+#include "error.h"
+#include "modify.h"
+#include "pair_lubcontact.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using Fluid_NS::Drag;
+using Fluid_NS::Flow;
+using Fluid_NS::Vec3;
+
+static Vec3 vector(const double *a)
+{
+  return {a[0], a[1], a[2]};
+}
+
+static void put(const Vec3 &a, double *to)
+{
+  to[0] = a.x;
+  to[1] = a.y;
+  to[2] = a.z;
+}
+
+/* ----------------------------------------------------------------------
+   fix ID group overdamped/sphere eta keyword value ...
+------------------------------------------------------------------------- */
+
+FixOverdampedSphere::FixOverdampedSphere(LAMMPS *lmp, int narg, char **arg) :
+    FixBackgroundFluid(lmp, narg, arg), limit(HUGE_VAL), warned(false)
+{
+  if (fluid->only_isolated())
+    for (int iarg = 4; iarg < narg; iarg++)
+      if (std::string(arg[iarg]) == "isolated")
+        error->all(FLERR, iarg,
+                   "Fix overdamped/sphere cannot move particles without drag: remove isolated");
+  time_integrate = 1;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixOverdampedSphere::setmask()
+{
+  return INITIAL_INTEGRATE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixOverdampedSphere::init()
+{
+  fluid->init();
+  check_others();
+}
+
+/* ----------------------------------------------------------------------
+   nobody else moves these particles
+------------------------------------------------------------------------- */
+
+void FixOverdampedSphere::check_others()
+{
+  for (const auto &other : modify->get_fix_list()) {
+    if (other == this || !other->time_integrate) continue;
+    const std::string name = other->id, kind = other->style;
+    fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
+      return fmt::format("Fix {} {} moves {} that fix overdamped/sphere moves, too: remove it, or "
+                         "give it another group",
+                         name, kind, who);
+    });
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixOverdampedSphere::check_particle(int i, const Drag &drag) const
+{
+  fluid->exclusive().check(atom->mask[i]);
+  if (!(drag.translation > 0.0))
+    error->one(FLERR,
+               "Fix overdamped/sphere cannot move atom {} without drag: viscosity, hindrance and "
+               "radius must be > 0",
+               atom->tag[i]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixOverdampedSphere::setup(int /*vflag*/)
+{
+  fluid->setup();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) check_particle(i, fluid->drag(i));
+  find_limit();
+  warned = false;
+  reset_dt();
+}
+
+/* ----------------------------------------------------------------------
+   the springs of all partners in range, over the drag
+------------------------------------------------------------------------- */
+
+void FixOverdampedSphere::find_limit()
+{
+  limit = HUGE_VAL;
+  std::vector<double> stiffness(atom->nlocal, 0.0), part;
+  for (PairLubcontact *pair : PairLubcontact::all(lmp)) {
+    pair->sum_stiffness(Fluid_NS::SPIN_OF_DRAG, part);
+    for (int i = 0; i < atom->nlocal; i++) stiffness[i] += part[i];
+  }
+  double mine = HUGE_VAL;
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & groupbit) && stiffness[i] > 0.0)
+      mine =
+          std::min(mine, Fluid_NS::overdamped_step_limit(stiffness[i], fluid->drag(i).translation));
+  MPI_Allreduce(&mine, &limit, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (comm->me == 0 && limit < HUGE_VAL)
+    utils::logmesg(
+        lmp, "Fix overdamped/sphere: time step {:.6g}, {:.3g} of the stability limit {:.6g}\n",
+        update->dt, update->dt / limit, limit);
+}
+
+void FixOverdampedSphere::reset_dt()
+{
+  if (update->dt <= limit || warned || update->whichflag == 0) return;
+  warned = true;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "Time step {} exceeds {:.4g}, the stability limit of the contact springs "
+                   "against the drag of fix overdamped/sphere in the present state: reduce it, or "
+                   "soften the contact",
+                   update->dt, limit);
+}
+
+/* ----------------------------------------------------------------------
+   v and omega stay those of the step
+------------------------------------------------------------------------- */
+
+void FixOverdampedSphere::initial_integrate(int /*vflag*/)
+{
+  const double dt = update->dt;
+  fluid->new_step();
+  std::fill_n(sums, NUM_SUMS, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const Drag drag = fluid->drag(i);
+    check_particle(i, drag);
+    const Flow flow = fluid->flow_at(i);
+    const Vec3 force = vector(atom->f[i]), torque = vector(atom->torque[i]);
+    const Vec3 v = Fluid_NS::overdamped(drag.translation, force, flow.velocity);
+    const Vec3 omega = Fluid_NS::overdamped(drag.rotation, torque, flow.spin);
+    put(v, atom->v[i]);
+    put(omega, atom->omega[i]);
+    put(vector(atom->x[i]) + dt * v, atom->x[i]);
+
+    sums[POWER] += dot(force, v - flow.velocity) + dot(torque, omega - flow.spin);
+    const double drags[] = {-force.x, -force.y, -force.z, -torque.x, -torque.y, -torque.z};
+    for (int n = 0; n < 6; n++) sums[FORCE + n] += drags[n];
+    sums[NUMBER] += 1.0;
+  }
+  step_power = sums[POWER];    // a step has one velocity
+}

@@ -1,0 +1,48 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(overdamped/sphere,FixOverdampedSphere);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_OVERDAMPED_SPHERE_H
+#define LMP_FIX_OVERDAMPED_SPHERE_H
+
+#include "fix_background_fluid.h"
+
+namespace LAMMPS_NS::Fluid_NS {
+struct Drag;
+}
+
+namespace LAMMPS_NS {
+
+class FixOverdampedSphere : public FixBackgroundFluid {
+ public:
+  FixOverdampedSphere(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void reset_dt() override;
+
+ protected:
+  double limit;    // of the time step, by the contacts at the start of the run
+  bool warned;     // of the limit, in this run
+
+  void check_others();
+  void check_particle(int, const Fluid_NS::Drag &) const;
+  void find_limit();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

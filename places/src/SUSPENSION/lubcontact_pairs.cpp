@@ -1,0 +1,213 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "lubcontact_pairs.h"
+
+#include "atom.h"
+#include "error.h"
+#include "force.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "update.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using Lubcontact_NS::Film;
+using Lubcontact_NS::Load;
+using Lubcontact_NS::PairCoeffs;
+using Lubcontact_NS::PairGeometry;
+using Lubcontact_NS::Range;
+using Lubcontact_NS::RangeOf;
+using Lubcontact_NS::Settings;
+using Lubcontact_NS::Vec3;
+
+static Vec3 vector(const double *a)
+{
+  return {a[0], a[1], a[2]};
+}
+
+/* ---------------------------------------------------------------------- */
+
+LubcontactPairs::LubcontactPairs(LAMMPS *lmp) :
+    Pointers(lmp), history(lmp), list(nullptr),
+    tessellation(lmp, "Pair style lubcontact range voronoi")
+{
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LubcontactPairs::request_ghosts(const Settings &settings, double largest_radius)
+{
+  tessellation.return_ghosts();
+  if (settings.range == Range::VORONOI) tessellation.request_ghosts(largest_radius);
+}
+
+void LubcontactPairs::find_faces(const Settings &settings)
+{
+  common_faces.clear();
+  if (settings.range == Range::VORONOI && settings.films)
+    tessellation.mark_faces(list, common_faces);
+}
+
+/* ---------------------------------------------------------------------- */
+
+RangeOf LubcontactPairs::around(int i) const
+{
+  return range.around(atom->type[i], atom->radius[i], common_faces.of(i));
+}
+
+bool LubcontactPairs::acts_by_special(int entry) const
+{
+  return force->special_lj[entry >> SBBITS & 3] != 0.0;
+}
+
+double LubcontactPairs::acting(int i, int n) const
+{
+  const int entry = list->firstneigh[i][n], j = entry & NEIGHMASK;
+  if (!acts_by_special(entry)) return 0.0;
+  const Vec3 d = vector(atom->x[i]) - vector(atom->x[j]);
+  return around(i).acting(dot(d, d), atom->radius[j], atom->type[j], n);
+}
+
+double LubcontactPairs::share(int j) const
+{
+  return force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LubcontactPairs::each(const Entries &visit) const
+{
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int n = 0; n < list->numneigh[i]; n++) {
+      const double a = acting(i, n);
+      if (a == 0.0) continue;
+      const int j = list->firstneigh[i][n] & NEIGHMASK;
+      visit({i, j, n, share(j), a});
+    }
+  }
+}
+
+PairGeometry LubcontactPairs::geometry(int i, int j, double a) const
+{
+  return Lubcontact_NS::pair_geometry(vector(atom->x[i]), vector(atom->x[j]), atom->radius[i],
+                                      atom->radius[j], a);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LubcontactPairs::visit(unsigned instance, const Film &film, const Visitor &visit) const
+{
+  Load (*present)(const PairCoeffs &, const Film &, const PairGeometry &, const double *) = nullptr;
+  Lubcontact_NS::with_effects(instance, [&present](auto effects) {
+    present = &Lubcontact_NS::pair_load<decltype(effects)>;
+  });
+  const int size = history.size();
+  each([&](const Acting &pair) {
+    // the loop of the forces has marked the pairs that it knows
+    if (size && !history.known(pair.i)[pair.n]) return;
+    const PairGeometry g = geometry(pair.i, pair.j, pair.a);
+    const PairCoeffs &coeffs = range.of(atom->type[pair.i], atom->type[pair.j]);
+    const double *values = size ? history.values(pair.i) + size * pair.n : nullptr;
+    visit(pair.i, pair.j, pair.weight, g, present(coeffs, film, g, values));
+  });
+}
+
+/* ----------------------------------------------------------------------
+   A compute with a list of its own may see a pair from the side of the other particle
+------------------------------------------------------------------------- */
+
+bool LubcontactPairs::find_entry(int i, int j, Entry &entry) const
+{
+  auto search = [this, &entry](int owner, int partner, bool swapped, bool by_id) {
+    if (owner < 0 || owner >= atom->nlocal) return false;
+    const int *jlist = list->firstneigh[owner];
+    for (int n = 0; n < list->numneigh[owner]; n++) {
+      const int k = jlist[n] & NEIGHMASK;
+      if (by_id ? atom->tag[k] != atom->tag[partner] : k != partner) continue;
+      entry = {owner, n, swapped};
+      return true;
+    }
+    return false;
+  };
+  if (!list || list->inum == 0) return false;
+  if (search(i, j, false, false) || search(j, i, true, false)) return true;
+  if (atom->map_style != Atom::MAP_NONE && search(atom->map(atom->tag[j]), i, true, true))
+    return true;
+  if (force->newton_pair && !excluded(i, j))
+    error->one(FLERR,
+               "The history of the pair of atoms {} and {} is on another rank, where the compute "
+               "that asks for it does not look: use atom_modify map yes on one rank, or newton off",
+               atom->tag[i], atom->tag[j]);
+  return false;
+}
+
+/* ----------------------------------------------------------------------
+   by neigh_modify exclude
+------------------------------------------------------------------------- */
+
+bool LubcontactPairs::excluded(int i, int j) const
+{
+  if (!neighbor->exclude) return false;
+  const int *type = atom->type, *bits = atom->mask;
+  for (int m = 0; m < neighbor->nex_type; m++) {
+    const int a = neighbor->ex1_type[m], b = neighbor->ex2_type[m];
+    if ((type[i] == a && type[j] == b) || (type[i] == b && type[j] == a)) return true;
+  }
+  for (int m = 0; m < neighbor->nex_group; m++) {
+    const int a = neighbor->ex1_bit[m], b = neighbor->ex2_bit[m];
+    if ((bits[i] & a && bits[j] & b) || (bits[i] & b && bits[j] & a)) return true;
+  }
+  return neighbor->nex_mol > 0;    // by molecule: perhaps
+}
+
+/* ---------------------------------------------------------------------- */
+
+const double *LubcontactPairs::find_history(const Entry &entry, double *buffer) const
+{
+  if (!history.size() || !history.known(entry.owner)[entry.n]) return nullptr;
+  const double *found = history.values(entry.owner) + history.size() * entry.n;
+  if (!entry.swapped) return found;
+  history.exchange(found, buffer);
+  return buffer;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LubcontactPairs::follow_radii(bool has_gap)
+{
+  const double *radius = atom->radius;
+  const std::size_t nall = atom->nlocal + atom->nghost;
+  const bool followed = neighbor->ago != 0 && !update->setupflag && radii.size() == nall;
+  if (followed && std::equal(radii.begin(), radii.end(), radius)) return;
+  if (followed && has_gap)
+    for (int ii = 0; ii < list->inum; ii++) {
+      const int i = list->ilist[ii];
+      for (int n = 0; n < list->numneigh[i]; n++) {
+        const int j = list->firstneigh[i][n] & NEIGHMASK;
+        if (!history.known(i)[n]) continue;
+        if (radius[i] == radii[i] && radius[j] == radii[j]) continue;
+        Lubcontact_NS::rescale_gap(
+            Lubcontact_NS::effective_radius(range.rule, radii[i], radii[j]) /
+                Lubcontact_NS::effective_radius(range.rule, radius[i], radius[j]),
+            history.values(i) + history.size() * n);
+      }
+    }
+  radii.assign(radius, radius + nall);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double LubcontactPairs::memory_usage() const
+{
+  return common_faces.memory_usage() + static_cast<double>(radii.capacity() * sizeof(double)) +
+      static_cast<double>(range.coeffs.size() * (sizeof(PairCoeffs) + sizeof(double)));
+}
