@@ -143,6 +143,18 @@ void lubcontact_checks::check_repulsion(LAMMPS *lmp, const Law &law, double smal
     }
 }
 
+/* ---------------------------------------------------------------------- */
+
+void lubcontact_checks::check_factors(LAMMPS *lmp)
+{
+  if (utils::strmatch(lmp->force->pair_style, "^hybrid/scaled"))
+    lmp->error->all(
+        FLERR,
+        "Pair style lubcontact cannot be scaled: its stress by origin, its power and the "
+        "limit of its time step are those of the full force; use: pair_style "
+        "hybrid/overlay");
+}
+
 /* ----------------------------------------------------------------------
    a second elastic contact or a second film between the same particles is a mistake
 ------------------------------------------------------------------------- */
@@ -150,12 +162,6 @@ void lubcontact_checks::check_repulsion(LAMMPS *lmp, const Law &law, double smal
 void lubcontact_checks::check_hybrid(LAMMPS *lmp, const Pair *pair, const Law &law)
 {
   const char *style = lmp->force->pair_style;
-  if (utils::strmatch(style, "^hybrid/scaled"))
-    lmp->error->all(
-        FLERR,
-        "Pair style lubcontact cannot be scaled: its stress by origin, its power and the "
-        "limit of its time step are those of the full force; use: pair_style "
-        "hybrid/overlay");
   if (!utils::strmatch(style, "^hybrid/overlay")) return;    // else only one of them acts
 
   const bool films = law.settings.viscosity > 0.0 && law.settings.films;
