@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """A restarted run continues the straight run bit for bit, in the middle of whatever the rheometer does."""
 import numpy as np
 

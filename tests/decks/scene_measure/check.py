@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """suspension_scene measure changes nothing, to the last bit, and its copies do what the run itself does. Decks with everything on."""
 import re
 from pathlib import Path
