@@ -240,7 +240,7 @@ void FixDeformRheometer::post_integrate()
     set[4].tilt_flip = domain->xz;
     set[5].tilt_flip = cell.xy + flipxy * cell.lx;
     next_reneighbor = update->ntimestep;
-  } else if (keeper->on) {
+  } else if (keeper->allowed()) {
     keep_list(cell);
   }
   if (kspace_flag) force->kspace->setup();

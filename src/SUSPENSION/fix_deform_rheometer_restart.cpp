@@ -24,6 +24,8 @@
 
 using namespace LAMMPS_NS;
 
+namespace {
+
 // what a restart file holds
 struct Saved {
   double flow = 0.0, fresh = 0.0;
@@ -33,6 +35,8 @@ struct Saved {
   DeformJudge::Watches watches;
   Rheometer_NS::StrainMeans means;
 };
+
+}    // namespace
 
 static constexpr int PERATOM_RESTART = 4;    // this size, position
 

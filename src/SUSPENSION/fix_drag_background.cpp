@@ -30,10 +30,14 @@ using Fluid_NS::Vec3;
 static const char *const READERS[] = {"enforce2d", "setforce", "freeze", "store/force",
                                       "rheometer/plates"};
 
+namespace {
+
 // what a restart file holds
 struct Saved {
-  double energy, kept;
+  double energy = 0.0, kept = 0.0;
 };
+
+}    // namespace
 
 static Vec3 vector(const double *a)
 {

@@ -186,7 +186,7 @@ void FixRheometerPlates::setup_pre_neighbor()
 void FixRheometerPlates::pre_neighbor()
 {
   keeper->listed();
-  if (!keeper->on) return;
+  if (!keeper->allowed()) return;
   double top;
   measure_surfaces(listed.bottom, top);
   listed.gap = top - listed.bottom;
@@ -195,7 +195,7 @@ void FixRheometerPlates::pre_neighbor()
 
 void FixRheometerPlates::post_integrate()
 {
-  if (!keeper->on) return;
+  if (!keeper->allowed()) return;
   Rheometer_NS::Deformation flow;
   flow.yy = state->gap / listed.gap;
   flow.xy = listed.slid / listed.gap;
