@@ -201,6 +201,11 @@ double FixRheometerPlates::velocity() const
   return state->vx;
 }
 
+double FixRheometerPlates::opening() const
+{
+  return state->vy;
+}
+
 double FixRheometerPlates::rate() const
 {
   return state->rate;
