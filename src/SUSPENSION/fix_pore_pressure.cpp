@@ -34,7 +34,7 @@ using Pore_NS::Wall;
 
 FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new PoreSettings()), field(new PoreField(lmp)), plates(nullptr),
-    force_of_atom(nullptr), tilt(0.0)
+    force_of_atom(nullptr), work(0.0), tilt(0.0)
 {
   if (!PoreField::has_library())
     error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
@@ -162,7 +162,13 @@ void FixPorePressure::post_force(int /*vflag*/)
 void FixPorePressure::keep_forces()
 {
   const auto &forces = field->forces();
+  work = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
+    // the velocity is that of the last step, the work that of the mean force
+    const auto flow = Suspension_NS::cell_velocity(domain, atom->x[i]);
+    const double f[3] = {forces[i].x, forces[i].y, forces[i].z};
+    for (int d = 0; d < 3; d++)
+      work += 0.5 * (force_of_atom[i][d] + f[d]) * (atom->v[i][d] - flow[d]);
     force_of_atom[i][0] = forces[i].x;
     force_of_atom[i][1] = forces[i].y;
     force_of_atom[i][2] = forces[i].z;
@@ -183,6 +189,18 @@ void FixPorePressure::copy_arrays(int i, int j, int /*delflag*/)
 void FixPorePressure::set_arrays(int i)
 {
   std::fill_n(force_of_atom[i], 3, 0.0);
+}
+
+int FixPorePressure::pack_exchange(int i, double *buf)
+{
+  std::copy_n(force_of_atom[i], 3, buf);
+  return 3;
+}
+
+int FixPorePressure::unpack_exchange(int nlocal, double *buf)
+{
+  std::copy_n(buf, 3, force_of_atom[nlocal]);
+  return 3;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -218,6 +236,8 @@ double FixPorePressure::compute_vector(int n)
       return r.k_min;
     case Output::K_MAX:
       return r.k_max;
+    case Output::POWER:
+      return acts() ? mean_power() : 0.0;
     default:
       return r.explicit_step > 0.0 ? update->dt / r.explicit_step : 0.0;
   }
@@ -234,14 +254,16 @@ double FixPorePressure::compute_array(int i, int j)
   return values[j];
 }
 
-double FixPorePressure::mean_pressure() const
+double FixPorePressure::pressure_volume() const
 {
-  return field->report().mean;
+  return field->report().mean * field->grid().volume();
 }
 
-double FixPorePressure::dissipation() const
+double FixPorePressure::mean_power()
 {
-  return field->report().dissipation;
+  double all;
+  MPI_Allreduce(&work, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return -all;
 }
 
 bool FixPorePressure::acts() const

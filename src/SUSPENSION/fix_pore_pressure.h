@@ -38,22 +38,24 @@ class FixPorePressure : public Fix {
   void grow_arrays(int) override;
   void copy_arrays(int, int, int) override;
   void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
   double compute_vector(int) override;
   double compute_array(int, int) override;
   double memory_usage() override;
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  // of the last step: mean pressure as stress on the whole cell, force/area; power given to the fluid
-  double mean_pressure() const;
-  double dissipation() const;
-  bool acts() const;    // not with coupling off
+  // of the last step
+  double pressure_volume() const;    // its integral
+  double mean_power();               // that the particles have given to the fluid, energy/time
+  bool acts() const;                 // not with coupling off
 
   // f_ID[1] and so on: see the manual
   // clang-format off
   struct Output {
     enum { LOWER, UPPER, MEAN, LARGEST, LOWER_FLUX, UPPER_FLUX, DISSIPATION, FX, FY, FZ, ITERATIONS,
-           RESIDUAL, K_MIN, K_MAX, STEP, NUM };
+           RESIDUAL, K_MIN, K_MAX, STEP, POWER, NUM };
     enum { Y, PRESSURE, PHI, U_Y, Q_Y, NUM_COLUMNS };
   };
   // clang-format on
@@ -63,6 +65,7 @@ class FixPorePressure : public Fix {
   std::unique_ptr<PoreField> field;
   FixRheometerPlates *plates;
   double **force_of_atom;    // for output, force
+  double work;               // of the last step on the particles of this rank, energy/time
   double tilt;               // of the last step: a flip maps no nodes onto nodes
 
   void parse(int, char **);
