@@ -7,7 +7,7 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Which effects does a scene call for? One table of thresholds with their sources, one line of
+// Which effects does a scene need? One table of thresholds with their sources, one line of
 // judgement per effect. The manual page suspension_scene quotes the table.
 
 #ifndef SCENE_VERDICT_H

@@ -236,8 +236,8 @@ void lubcontact_checks::check_box(LAMMPS *lmp, double longest)
 }
 
 /* ----------------------------------------------------------------------
-   LAMMPS looks for positions that are no numbers only when it rebuilds the list, which they never ask
-   for; and they are out of range of everything
+   NaN positions never trigger a rebuild of the neighbor list, the only place where LAMMPS checks
+   for them; and they are out of range of everything
 ------------------------------------------------------------------------- */
 
 void lubcontact_checks::check_positions(LAMMPS *lmp)
