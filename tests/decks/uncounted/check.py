@@ -26,7 +26,7 @@ deck.expect("  in what the rheometer holds, too", text.count(HELD + "fix push ad
 deck.expect("other pair styles count in the rheometer", HELD not in log(pair="overlay", computes=SHEAR))
 for quiet in ({"pair": "zero"}, {"lines": "fix push all addforce 0 0 0"}, {}):
     deck.expect(f"nothing is left out: {quiet}", "LAMMPS: " not in log(computes=ALL, **quiet))
-deck.expect_error("scaled forces", log(fails=True, pair="scaled"), "does not know the factors of pair_style hybrid/scaled; use: hybrid")
+deck.expect_error("scaled forces", log(fails=True, pair="scaled"), "Pair style lubcontact cannot be scaled")
 
 claims = Path(os.environ["LAMMPS_PLUGIN_PATH"]) / "tests" / "plugin" / "claims" / "claimsplugin.so"
 rigid = f'if "1 == 1" then "plugin load {claims}" "fix body all rigid/claim" '
