@@ -55,7 +55,7 @@ void BackgroundFluid::exclude_plates()
     if (!cell) continue;
     own.forbid(cell->plate_bits(), [this, other](const std::string &who) {
       return fmt::format(
-          "Fix {} acts on {} of the plates of fix {}, which moves them by itself; use "
+          "Fix {} acts on {} of the plates of fix {}, which are moved by that fix; use "
           "the group of the particles between the plates",
           style, who, other->id);
     });
@@ -152,7 +152,7 @@ void BackgroundFluid::check_isolated() const
         error->all(
             FLERR,
             "Fix {} isolated would count the partners of types {} {} {} times, once for each "
-            "sub-style lubcontact: give the types one of them",
+            "sub-style lubcontact: assign these types to one sub-style only",
             style, i, j, styles);
     }
 }

@@ -9,7 +9,7 @@ STRESS, ATOM, POWER = (f"compute {name[0]}{len(name)} all {name}" for name in ("
 ALL = f'if "1 == 1" then "{STRESS}" "{ATOM}" "{POWER}"'
 SHEAR = "fix flow all deform/rheometer rate 1 volume start 1"
 VIRIAL = 'if "1 == 1" then "fix push all addforce 0 0 0" "fix_modify push virial yes" '
-ROWS, HELD = "not in its rows, but in the pressure of LAMMPS: ", "are of the pair style and inertia alone, without those of "
+ROWS, HELD = "not in its rows, but in the pressure of LAMMPS: ", "include only the pair style and inertia, not "
 
 
 def log(fails=False, **variables):
