@@ -186,7 +186,8 @@ inline std::vector<std::string> remarks(double tolerance, const Scene &s)
   std::vector<std::string> out;
   if (tolerance < MODEL_DOUBT)
     out.push_back(
-        "this is about the converged solution of the model, which is not known to be within " +
+        "the tolerance refers to the converged solution of the model, which is not known to be "
+        "within " +
         show(100.0 * MODEL_DOUBT) + " % of an experiment");
   if (tolerance < SMALLEST_MEASURED)
     out.push_back("single errors below " + show(100.0 * SMALLEST_MEASURED) +

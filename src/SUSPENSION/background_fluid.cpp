@@ -98,8 +98,8 @@ double BackgroundFluid::value_of(const std::string &variable) const
         fix->id, variable);
   if (flow->is_per_atom(variable))
     error->all(FLERR,
-               "Suspension_scene measure cannot copy fix {}: variable {} is atom-style; the advice "
-               "without the word measure works here, too",
+               "Suspension_scene measure cannot copy fix {}: variable {} is atom-style; "
+               "suspension_scene without measure works",
                fix->id, variable);
   std::vector<Suspension_NS::InputNumber> numbers = flow->numbers();
   numbers.push_back(eta);
