@@ -44,7 +44,8 @@ ComputePowerPartition::ComputePowerPartition(LAMMPS *lmp, int narg, char **arg) 
     error->all(FLERR, 3, "Unknown compute power/partition argument: {}; it takes none", arg[3]);
   if (igroup)
     error->all(FLERR, 1,
-               "Compute power/partition is of the whole cell: use group all instead of {}", arg[1]);
+               "Compute power/partition applies to the whole cell: use group all instead of {}",
+               arg[1]);
 
   scalar_flag = array_flag = 1;
   extscalar = extarray = 1;
@@ -84,7 +85,8 @@ void ComputePowerPartition::require_tally() const
       error->all(
           FLERR,
           "Power by origin was not tallied in step {}: use compute power/partition where its "
-          "steps are known in advance (thermo, fix ave, dump, every-type variables)",
+          "steps are known in advance (thermo output, fix ave/*, dumps, and variables they "
+          "evaluate)",
           update->ntimestep);
 }
 

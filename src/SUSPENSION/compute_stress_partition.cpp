@@ -39,7 +39,7 @@ ComputeStressPartition::ComputeStressPartition(LAMMPS *lmp, int narg, char **arg
     error->all(FLERR, 3, "Unknown compute stress/partition argument: {}; it takes none", arg[3]);
   if (igroup)
     error->all(FLERR, 1,
-               "Compute stress/partition is of the whole cell: use group all instead of {}",
+               "Compute stress/partition applies to the whole cell: use group all instead of {}",
                arg[1]);
 
   array_flag = 1;
@@ -85,7 +85,8 @@ void ComputeStressPartition::compute_array()
     if (!pair->tally().has_stress())
       error->all(FLERR,
                  "Stress by origin was not tallied in step {}: use compute stress/partition where "
-                 "its steps are known in advance (thermo, fix ave, dump, every-type variables)",
+                 "its steps are known in advance (thermo output, fix ave/*, dumps, and variables "
+                 "they evaluate)",
                  update->ntimestep);
     for (int m = 0; m < NUM_CHANNELS; m++)
       for (int n = 0; n < NUM_COMPONENTS; n++)
