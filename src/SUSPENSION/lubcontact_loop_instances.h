@@ -197,8 +197,7 @@ template <class E> void LubcontactLoop<E>::fill()
 ------------------------------------------------------------------------- */
 
 template <class E>
-[[gnu::noinline, gnu::flatten]] Load LubcontactLoop<E>::step_alone(int l, bool advance,
-                                                                   PairGeometry &geometry)
+[[gnu::noinline]] Load LubcontactLoop<E>::step_alone(int l, bool advance, PairGeometry &geometry)
 {
   const PairCoeffs &c = *queue.coeffs[l];
   const Body body_i = body(queue.i[l]), body_j = body(queue.j[l]);
