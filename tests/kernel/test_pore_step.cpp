@@ -188,14 +188,15 @@ TEST(PoreStep, ConstantSolverAndItsLocalFormBoundTheImplicitMatrix)
         EXPECT_GE(of_local, implicit * (1.0 - 1e-12));
         closest = std::fmin(closest, of_local / implicit);
       }
-EXPECT_GE(closest, 1.0);
+      EXPECT_GE(closest, 1.0);
     }
 }
 
 TEST(PoreStep, BoundIsCloseForSmoothPressures)
 {
   Bed bed;
-  const Pores pores = stack(60, 40, {Closure::CONSTANT, 1e-4, 1.0, 0.1}, Wall::IMPERMEABLE, Wall::DRAINED, bed);
+  const Pores pores =
+      stack(60, 40, {Closure::CONSTANT, 1e-4, 1.0, 0.1}, Wall::IMPERMEABLE, Wall::DRAINED, bed);
   const std::vector<double> inverse(60, 1.0 / 0.7);
   const auto response = [&](const Field &p, std::vector<Motion> &motion, WallVelocity &) {
     std::vector<Vec3> a = pores.forces(p);
@@ -320,8 +321,7 @@ TEST(PoreStep, IsStableAtTheStepOfTheContactsForEveryDrag)
         u[i] = u[i] + dt * run.v[i];
       }
       largest = std::fmax(largest, now);
-      ASSERT_LT(now, 100.0 * energy)
-          << "drag " << drag << ", step " << n;
+      ASSERT_LT(now, 100.0 * energy) << "drag " << drag << ", step " << n;
     }
     EXPECT_LT(largest, 4.0 * energy) << "drag " << drag;
   }
@@ -343,7 +343,7 @@ TEST(PoreStep, ImpermeableBedDoesNotChangeTheVolumeOfElements)
   };
   const double start = change();
   for (int n = 0; n < 400; n++) run.step(std::vector<Vec3>(bed.size()));
-EXPECT_LT(change(), 1e-3 * start);
+  EXPECT_LT(change(), 1e-3 * start);
   double energy = 0.0;
   for (const Vec3 &v : run.v) energy += dot(v, v) / static_cast<double>(bed.size());
   EXPECT_GT(energy, 0.3);    // 1 at the start
