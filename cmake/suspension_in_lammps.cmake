@@ -4,8 +4,8 @@
 # The other way, as packages of the tree: copy both folders to <lammps>/src, add their names to the list
 # STANDARD_PACKAGES, and configure LAMMPS with -D PKG_SUSPENSION=on -D PKG_SUSPENSION-ADVISER=on (ignored silently without
 # the names in the list). SUSPENSION works without the other one, SUSPENSION-ADVISER needs both:
-#   sed -i 's/^  TALLY$/  SUSPENSION\n  SUSPENSION-ADVISER\n  TALLY/;
-#     s/^pkg_depends(RHEO BPM)$/&\npkg_depends(SUSPENSION-ADVISER SUSPENSION)/' <lammps>/cmake/CMakeLists.txt
+#   sed -i -e 's/^  TALLY$/  SUSPENSION\n  SUSPENSION-ADVISER\n  TALLY/' \
+#     -e 's/^pkg_depends(RHEO BPM)$/&\npkg_depends(SUSPENSION-ADVISER SUSPENSION)/' <lammps>/cmake/CMakeLists.txt
 # -D SUSPENSION_COMPILE_OPTIONS=... is added for our files only.
 # With -march=native or the like add -ffp-contract=off to CMAKE_CXX_FLAGS, or a restart is exact to rounding only.
 

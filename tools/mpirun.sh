@@ -16,11 +16,15 @@ export OMPI_MCA_btl_base_warn_component_unused=0
 if [ "$ranks" -gt "$(nproc)" ]; then export OMPI_MCA_mpi_yield_when_idle=1; fi
 export OMPI_MCA_odls_base_sigkill_timeout=${OMPI_MCA_odls_base_sigkill_timeout:-0}    # no second of waiting after an error
 
-# Looking for fast networks takes Open MPI 0.2 s of each start, and a daemon for a single rank 0.1 s more. Not for a rank
-# which another mpirun or srun has started, nor in a batch job.
+# Looking for fast networks takes Open MPI 0.2 s of each start, and a daemon for a single rank 0.1 s more. Such a rank shares no
+# folder in /tmp with others that start or end at the same time. Not for a rank which another mpirun or srun has started, nor
+# in a batch job.
 if [ -z "${OMPI_COMM_WORLD_SIZE:-}${PMI_RANK:-}${PMIX_RANK:-}${SLURM_JOB_ID:-}${PBS_JOBID:-}${LSB_JOBID:-}" ]; then
+  if [ "$ranks" = 1 ]; then
+    export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated OMPI_MCA_orte_create_session_dirs=0
+    export OMPI_MCA_btl=${OMPI_MCA_btl:-self}
+  fi
   export OMPI_MCA_pml=${OMPI_MCA_pml:-ob1} OMPI_MCA_btl=${OMPI_MCA_btl:-^ofi,openib,uct}
-  if [ "$ranks" = 1 ]; then export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pmix=isolated; fi
 fi
 
 if [ "$ranks" = 1 ]; then exec "$@"; fi

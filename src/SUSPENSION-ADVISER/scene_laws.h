@@ -25,7 +25,7 @@
 
 namespace LAMMPS_NS::Scene_NS {
 
-// effects of the verdicts that are some of the pair law
+// effects of the verdicts that are some of the pair law; one without a verdict stays as it is
 struct OfPair {
   Effect effect;
   unsigned bit;
@@ -35,8 +35,6 @@ inline constexpr OfPair OF_PAIR[] = {
     {ROLLING_FILM, Lubcontact_NS::ROLL},     {TWISTING_FILM, Lubcontact_NS::TWIST},
     {FRICTION_LAW, Lubcontact_NS::FRICTION}, {CRITICAL_LOAD, Lubcontact_NS::THRESHOLD},
     {ADHESION, Lubcontact_NS::ADHESION},     {REPULSION, Lubcontact_NS::REPULSION}};
-static_assert(std::size(OF_PAIR) == std::size(Lubcontact_NS::EFFECTS),
-              "an effect of the pair law has no verdict");
 
 // bits of the effects with this answer
 inline unsigned with_answer(const std::vector<Verdict> &verdicts, Answer answer)

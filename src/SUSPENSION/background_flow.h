@@ -7,7 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// How a background fluid flows. A new flow is a class and a row of the table in background_flow.cpp.
+// How a background fluid flows. A new flow is a class and a row of the table in
+// background_flow.cpp.
 
 #ifndef LMP_BACKGROUND_FLOW_H
 #define LMP_BACKGROUND_FLOW_H

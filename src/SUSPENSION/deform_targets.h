@@ -7,7 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// What fix deform/rheometer is told to hold: one drive and one confinement, as numbers or variables.
+// What fix deform/rheometer is told to hold: one drive and one confinement, as numbers or
+// variables.
 
 #ifndef LMP_DEFORM_TARGETS_H
 #define LMP_DEFORM_TARGETS_H

@@ -56,7 +56,7 @@ void FixBackgroundFluid::write_restart(FILE *fp)
 
 void FixBackgroundFluid::restart(char *buffer)
 {
-  double kept;
+  double kept = 0.0;
   check_restart(Suspension_NS::read_sealed(buffer, kept));
   fluid->keep(kept);
 }

@@ -182,7 +182,7 @@ int FixDeformRheometer::parse(int iarg, int narg, char **arg, bool underline)
   if (word != "affine" && word != "lammps")
     error->all(FLERR, underline ? iarg : Error::NOPOINTER,
                "Fix {} lists must be affine or lammps, but is {}", style, word);
-  keeper->on = word == "affine";
+  keeper->allow(word == "affine");
   return iarg + 2;
 }
 
@@ -227,7 +227,7 @@ std::string FixDeformRheometer::settings_text() const
 {
   static constexpr const char *FLOW_NAME[] = {"shear", "planar", "uniaxial"};
   return fmt::format("flow {} every {} {}{}", FLOW_NAME[flow], nevery, targets->settings_text(),
-                     keeper->on ? "" : " lists lammps");
+                     keeper->allowed() ? "" : " lists lammps");
 }
 
 /* ---------------------------------------------------------------------- */

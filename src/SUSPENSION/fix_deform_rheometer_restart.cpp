@@ -24,6 +24,8 @@
 
 using namespace LAMMPS_NS;
 
+namespace {
+
 // what a restart file holds
 struct Saved {
   double flow = 0.0, fresh = 0.0;
@@ -33,6 +35,8 @@ struct Saved {
   DeformJudge::Watches watches;
   Rheometer_NS::StrainMeans means;
 };
+
+}    // namespace
 
 static constexpr int PERATOM_RESTART = 4;    // this size, position
 
@@ -60,7 +64,9 @@ void FixDeformRheometer::restart(char *buffer)
   if (const char *wrong = Suspension_NS::read_sealed(buffer, from))
     error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
   if (from.flow != flow)
-    error->all(FLERR, "Fix {} cannot go on from a restart file with another flow", style);
+    error->all(FLERR,
+               "Fix {} cannot continue from a restart file that was written with a different flow",
+               style);
   *motion = from.motion;
   stress->set_particles(from.particles);
 

@@ -154,8 +154,8 @@ void FixRheometerPlates::initial_integrate(int /*vflag*/)
   state->gap += dt * state->vy;
   if (!(state->gap > 0.0))
     error->all(FLERR,
-               "Fix rheometer/plates: the plates have met at step {}; reduce the pressure, or put "
-               "more particles between them",
+               "Fix rheometer/plates: the plates touch each other at step {}; reduce the pressure, "
+               "or put more particles between them",
                update->ntimestep);
 
   if (targets->drive() == PlatesTargets::STRESS || targets->drive() == PlatesTargets::VELOCITY) {
@@ -186,7 +186,7 @@ void FixRheometerPlates::setup_pre_neighbor()
 void FixRheometerPlates::pre_neighbor()
 {
   keeper->listed();
-  if (!keeper->on) return;
+  if (!keeper->allowed()) return;
   double top;
   measure_surfaces(listed.bottom, top);
   listed.gap = top - listed.bottom;
@@ -195,7 +195,7 @@ void FixRheometerPlates::pre_neighbor()
 
 void FixRheometerPlates::post_integrate()
 {
-  if (!keeper->on) return;
+  if (!keeper->allowed()) return;
   Rheometer_NS::Deformation flow;
   flow.yy = state->gap / listed.gap;
   flow.xy = listed.slid / listed.gap;

@@ -48,7 +48,7 @@ FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
   if (igroup_plate[LOWER] == igroup_plate[UPPER])
     error->all(FLERR, 4, "Fix rheometer/plates needs two plates, but both are group {}", arg[4]);
   const int end = targets->parse(narg, arg, 5).next;
-  keeper->on = targets->affine_lists();
+  keeper->allow(targets->affine_lists());
   if (end < narg) error->all(FLERR, end, "Unknown fix rheometer/plates keyword: {}", arg[end]);
 
   dynamic_group_allow = 1;
@@ -85,7 +85,7 @@ void FixRheometerPlates::find_plate(int plate, int iarg)
 int FixRheometerPlates::modify_param(int narg, char **arg)
 {
   const auto parsed = targets->parse(narg, arg, 0);
-  keeper->on = targets->affine_lists();
+  keeper->allow(targets->affine_lists());
   if (parsed.drive) start_drive();
   if (parsed.load) start_load(parsed.same_load);
   return parsed.next;

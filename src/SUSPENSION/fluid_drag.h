@@ -78,7 +78,7 @@ LUBCONTACT_FN inline double overdamped_step_limit(double stiffness, double coeff
 }
 
 // Factor of the drag at a volume fraction phi: the mean pressure gradient adds phi/(1 - phi) of it.
-inline double mean_hindrance(double phi)
+LUBCONTACT_FN inline double mean_hindrance(double phi)
 {
   return 1.0 / (1.0 - phi);
 }

@@ -36,9 +36,11 @@ class ListKeeper : protected Pointers {
   void release();                       // LAMMPS decides again
   double memory_usage() const;
 
-  bool on;    // false: always LAMMPS
+  void allow(bool may) { on = may; }    // not: always LAMMPS
+  bool allowed() const { return on; }
 
  private:
+  bool on;
   class Fix *fix;
   bool keeps;    // now, instead of LAMMPS
   bool asked;    // whether it may, in this run

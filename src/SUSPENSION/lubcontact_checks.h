@@ -34,7 +34,10 @@ namespace lubcontact_checks {
   // a repulsion that jumps where pairs come into range: a warning
   void check_repulsion(LAMMPS *, const Lubcontact_NS::Law &, double smallest_radius);
 
-  // other pair styles that act on the same pairs: a warning, or an error
+  // forces that others would scale: an error
+  void check_factors(LAMMPS *);
+
+  // other pair styles that act on the same pairs: a warning
   void check_hybrid(LAMMPS *, const Pair *, const Lubcontact_NS::Law &);
 
   // what moves the particles in a way that cannot be meant: a warning

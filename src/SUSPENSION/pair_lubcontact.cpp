@@ -11,6 +11,7 @@
 
 #include "atom.h"
 #include "atom_vec.h"
+#include "citeme.h"
 #include "comm.h"
 #include "error.h"
 #include "force.h"
@@ -39,6 +40,18 @@ using Lubcontact_NS::Load;
 using Lubcontact_NS::PairGeometry;
 using Lubcontact_NS::Vec3;
 
+static constexpr char CITE_LUBCONTACT[] =
+    "pair style lubcontact: doi:10.1103/PhysRevFluids.4.064302\n\n"
+    "@Article{Chevremont2019,\n"
+    " author =  {W. Chevremont and B. Chareyre and H. Bodiguel},\n"
+    " title =   {Quantitative Study of the Rheology of Frictional Suspensions:\n"
+    "            Influence of Friction Coefficient in a Large Range of Viscous Numbers},\n"
+    " journal = {Physical Review Fluids},\n"
+    " year =    2019,\n"
+    " volume =  4,\n"
+    " pages =   064302\n"
+    "}\n\n";
+
 static constexpr int SINGLE_EXTRA = 15;
 static constexpr int MAX_HISTORY =
     Lubcontact_NS::Effects<Lubcontact_NS::NUM_COMBINATIONS - 1>::HISTORY_SIZE;
@@ -52,6 +65,7 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     instance(new LubcontactInstance()), longest(0.0), dt_limit(0.0), dt_limit_mass(0.0),
     reported(false), warned_dt(false)
 {
+  if (lmp->citeme) lmp->citeme->add(CITE_LUBCONTACT);
   single_enable = 1;
   restartinfo = 1;
   writedata = 1;
@@ -143,6 +157,7 @@ void PairLubcontact::init_style()
   if (comm->ghost_velocity == 0)
     error->all(FLERR,
                "Pair style lubcontact needs velocities of ghost atoms; add: comm_modify vel yes");
+  lubcontact_checks::check_factors(lmp);
   check_variable();
   *instance = find_instance(present_effects(coeffs->law(*given, false)));
   const int size = instance->history.size;
@@ -153,8 +168,8 @@ void PairLubcontact::init_style()
                "made: newton off");
   if (update->whichflag == 2 && size)
     error->all(FLERR,
-               "Pair style lubcontact can be minimized only as frictionless elastic contact; use: "
-               "squeeze no shear no roll no twist no, friction none, and no adhesion");
+               "Pair style lubcontact supports minimization only for frictionless elastic contact; "
+               "use: squeeze no shear no roll no twist no, friction none, and no adhesion");
 
   neighbor->add_request(this, NeighConst::REQ_DEFAULT | (size ? NeighConst::REQ_HISTORY : 0));
   pairs->history().require(this, instance->history);

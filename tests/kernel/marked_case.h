@@ -4,14 +4,15 @@
 #ifndef KERNEL_MARKED_CASE_H
 #define KERNEL_MARKED_CASE_H
 
-#include "lubcontact_background.h"
-#include "lubcontact_drag.h"
+#include "fluid_drag.h"
+#include "fluid_flow.h"
 #include "lubcontact_power.h"
 #include "lubcontact_stiffness.h"
 
 namespace {
 
 using namespace LAMMPS_NS::Lubcontact_NS;
+using namespace LAMMPS_NS::Fluid_NS;
 
 struct Numbers {
   static constexpr int MOST = 200000;

@@ -20,7 +20,8 @@ class Columns(unittest.TestCase):
 
     def test_none(self):
         self.assertGreater(len(SOURCES), 100)
-        self.assertEqual([f"{path.name}: {line}" for path in SOURCES for line in found(path.read_text(encoding="utf-8"))], [])
+        lines = [f"{path.name}: {line}" for path in SOURCES for line in found(path.read_text(encoding="utf-8"))]
+        self.assertEqual(lines, [])
 
 
 if __name__ == "__main__":

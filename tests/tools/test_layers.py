@@ -19,8 +19,7 @@ LAYERS = (
     ("host and input", 2, "suspension_host.* suspension_input.* uncounted_forces.* exclusive_particles.* spin_inertia.* "
                           "particle_inertia.* list_keeper.* fix_neigh_history_*"),
     ("pair style", 4, "pair_lubcontact*"),
-    ("fixes", 5, "fix_deform_rheometer* deform_* plates_* fix_rheometer_plates* background_* fix_background_fluid.* fix_drag_background.* "
-                 "fix_overdamped_sphere.*"),
+    ("fixes", 5, "fix_* background_* deform_* plates_*"),
     ("computes and commands", 6, "compute_* suspension_history.*"),
     ("adviser", 7, "scene_* suspension_scene*"),
     ("plugin", 8, "suspensionplugin.cpp"),

@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """fix drag/background against closed forms: relaxation and terminal velocity over nine decades of St, power and energy,
 order, flows, hindrance, isolated particles, restart.
 """

@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """A record of a pair follows its particles whatever becomes of IDs, rows and ranks between two runs, or between
 read_restart and the first run."""
 import numpy as np

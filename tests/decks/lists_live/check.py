@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """Neighbor lists that live as long as the flow allows miss no pair, against lists that are made in every step: the same
 pairs in range in each step, and the same trajectory to rounding. And they do live longer than LAMMPS' own."""
 import re

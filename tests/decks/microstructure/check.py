@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """Every number of compute microstructure, again from the pairs that LAMMPS dumps, in 3d and 2d, newton on and off."""
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """fix overdamped/sphere: forces over drag, decay of a contact and its limit of the step, a pair in shear against SciPy,
 discs at imposed pressure whatever their mass, cells that deform, restart.
 """

@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """Two smooth stiff spheres pass each other in a shear flow: path and gap against SciPy (oracle/sheared_pair.py), for
 equal spheres in the plane of shear, and for unequal ones off the plane, which slide, roll and twist.
 

@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """Stress of contact, lubrication, inertia and repulsion adds up to LAMMPS' pressure tensor to rounding, in 3d and 2d."""
 import numpy as np
 

@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """Stress by origin of each particle: sums to that of the cell, agrees with LAMMPS' stress/atom, known for one pair."""
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """Plane Couette cell: momentum balance, kinematics, closed forms of the free plate, newton, 2d, several runs."""
 import numpy as np
 

@@ -1,5 +1,5 @@
-# ranks: 2 4
-"""1 = 2 = 4 ranks to rounding growth, in 3d and 2d, particles crossing ranks and boundaries included."""
+# ranks: 4
+"""1 = 4 ranks to rounding growth, in 3d and 2d, particles crossing ranks and boundaries included."""
 import numpy as np
 
 import deck

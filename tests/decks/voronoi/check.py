@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """The films of range voronoi join the pairs that share a face of the radical tessellation, and no others.
 
 Oracle: the lower convex hull of the periodic images lifted to |x|^2 - R^2 (SciPy), for equal spheres Delaunay's

@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """Runs with range voronoi: any number of ranks, newton on or off, flips of the cell and restarts give the same run."""
 import numpy as np
 
