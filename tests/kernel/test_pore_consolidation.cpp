@@ -37,6 +37,11 @@ struct Errors {
   double pressure = 0.0, settlement = 0.0;
 };
 
+void keep_larger(double &error, double next)
+{
+  if (!(next <= error)) error = next;    // what is not a number stays, too
+}
+
 // spheres of diameter 1, springs kn, 2 kn at the walls: E = kn/d; drag: dt over the time of decay by it
 Errors consolidate(int spheres, double h, double k, double drag, double until)
 {
@@ -74,8 +79,8 @@ Errors consolidate(int spheres, double h, double k, double drag, double until)
     if (T > 0.02) {
       const Terzaghi exact = terzaghi(T);
       const double settled = (-u.back() + load / (2.0 * kn)) / final_settlement;
-      errors.pressure = std::fmax(errors.pressure, std::fabs(run.p[0] - exact.pressure));
-      errors.settlement = std::fmax(errors.settlement, std::fabs(settled - exact.settlement));
+      keep_larger(errors.pressure, std::fabs(run.p[0] - exact.pressure));
+      keep_larger(errors.settlement, std::fabs(settled - exact.settlement));
     }
     for (std::size_t i = 0; i < u.size(); i++) u[i] += dt * run.v[i].y;
   }

@@ -383,6 +383,54 @@ TEST(PoreStep, ExplicitLimitIsSafeAndNotFarOff)
   EXPECT_GT(limit, 0.25 * nominal);    // the densest element
 }
 
+TEST(PoreStep, LayerWithAFreeSurfaceIsStable)
+{
+  // its upper part fades into clear fluid, which is several hundred times as permeable
+  Random rnd(61);
+  Cell c = filled_cell(60, 0.5, {1.0, 1.2, 1.0}, 0.0, 0.0, 0.0);
+  const Bed bed = random_bed(rnd, 60, 0.2, c, true, 100);
+  const Springs springs(bed, c, true, 1.25, 1.0);
+  c.yprd *= 1.7;
+  const double mass = 0.8, dt = 0.9 * 2.0 / std::sqrt(springs.largest(bed.size(), rnd) / mass);
+  for (double factor : {1.0, 1e-4, 1e-8}) {
+    const Pores pores(grid_of(c, 1.4, Wall::IMPERMEABLE, Wall::DRAINED),
+                      {Closure::BEETSTRA, 0.0, factor, 0.01}, VISCOSITY, bed);
+    EXPECT_GT(largest(pores.mobility) / pores.mobility[0], 200.0);
+    LinearRun run(pores, dt, std::vector<double>(bed.size(), 1.0 / mass));
+    std::vector<Vec3> u(bed.size());
+    double start = 0.0;
+    for (Vec3 &v : run.v) {
+      v = rnd.vector(1.0);
+      start += 0.5 * mass * dot(v, v);
+    }
+    for (int n = 0; n < 1000; n++) {
+      run.step(springs.forces(u));
+      double now = springs.energy(u);
+      for (std::size_t i = 0; i < bed.size(); i++) {
+        now += 0.5 * mass * dot(run.v[i], run.v[i]);
+        u[i] = u[i] + dt * run.v[i];
+      }
+      ASSERT_LT(now, 4.0 * start) << factor << ", step " << n;
+    }
+  }
+}
+
+TEST(PoreStep, ConjugateGradientsTakeAContrastOfTenThousand)
+{
+  Random rnd(62);
+  for (const Sides &sides : SIDES) {
+    Bed bed;
+    Pores pores = random_pores(rnd, sides, 0.5, 1.2, bed);
+    for (double &m : pores.mobility) m *= rnd.log_uniform(1e-2, 1e2);
+    std::vector<Vec3> v;
+    for (std::size_t i = 0; i < bed.size(); i++) v.push_back(rnd.vector(1.0));
+    Field p(pores.grid.nodes(), 0.0);
+    const Convergence found = solve_darcy(pores, pores.motion(v), {}, {}, 1e-10, p);
+    EXPECT_LE(found.residual, 1e-10);
+    EXPECT_LT(found.iterations, 120);
+  }
+}
+
 TEST(PoreStep, EmptyCellsAndSingleParticlesAreNoError)
 {
   for (const Sides &sides : SIDES)
