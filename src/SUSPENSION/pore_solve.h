@@ -158,9 +158,7 @@ inline void ConstantSolver::solve(const Field &r, double c, double s, Field &p) 
   fftw_execute(forward.get());
   for (std::size_t n = 0; n < symbol.size(); n++) {
     const double lambda = c * symbol[n] + s;
-    // the constant, and nothing else, has no symbol
-    const bool is_constant = n == 0 && first == 0 && lower == upper;
-    const double factor = lambda > 0.0 && (!is_constant || s > 0.0) ? 1.0 / (lambda * norm) : 0.0;
+    const double factor = lambda > 0.0 ? 1.0 / (lambda * norm) : 0.0;    // 0: the constant
     waves.get()[n][0] *= factor;
     waves.get()[n][1] *= factor;
   }

@@ -158,7 +158,8 @@ inline Field random_field(Random &rnd, const Grid &g)
 inline double largest_size(const Field &p)
 {
   double most = 0.0;
-  for (double value : p) most = std::fmax(most, std::fabs(value));
+  for (double value : p)
+    if (!(std::fabs(value) <= most)) most = std::fabs(value);    // what is not a number stays, too
   return most;
 }
 
