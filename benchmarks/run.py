@@ -83,7 +83,7 @@ def read_speed(text, ranks):
     result["pairs"] = statistics.mean(float(pairs) for pairs in
                                       re.findall(r"^pairs in range (\d+)", setup + after, re.MULTILINE))
     result["megabytes"] = ranks * float(re.search(r"allocation \(min/avg/max\) = \S+ \| (\S+)", setup)[1])
-    history = re.search(r"(\d+) doubles of history", setup)
+    history = re.search(r"(\d+) history values per pair", setup)
     result["history"] = 8 * int(history[1]) if history else 8 * 3    # gran/hooke/history
     return result
 

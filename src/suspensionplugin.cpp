@@ -18,6 +18,7 @@
 #include "fix_neigh_history_lubcontact.h"
 #include "fix_neigh_history_place.h"
 #include "fix_overdamped_sphere.h"
+#include "fix_pore_pressure.h"
 #include "fix_rheometer_plates.h"
 #include "pair_lubcontact.h"
 #include "suspension_history.h"
@@ -102,5 +103,6 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   with_args("fix", "deform/rheometer", &create_with_args<Fix, FixDeformRheometer>);
   with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
   with_args("fix", "overdamped/sphere", &create_with_args<Fix, FixOverdampedSphere>);
+  with_args("fix", "pore/pressure", &create_with_args<Fix, FixPorePressure>);
   with_args("fix", "rheometer/plates", &create_with_args<Fix, FixRheometerPlates>);
 }

@@ -7,7 +7,7 @@ set -euo pipefail
 source "$(dirname "$0")/common.sh"
 
 packages="g++ make cmake ninja-build ccache libopenmpi-dev openmpi-bin python3 python3-numpy python3-scipy
-  python3-matplotlib python3-pil voro++-dev xz-utils curl ca-certificates"
+  python3-matplotlib python3-pil voro++-dev libfftw3-dev xz-utils curl ca-certificates"
 tests=OFF
 case "$#:${1:-}" in
   0:) ;;

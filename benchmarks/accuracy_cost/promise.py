@@ -28,7 +28,7 @@ def launch(folder, **variables):
 def measure(tolerance, seed):
     with tempfile.TemporaryDirectory() as folder:
         text, _, failed = launch(folder, tolerance=tolerance, seed=seed)
-        lines = text[text.index("Deck lines to use\n"):].splitlines()[1:]
+        lines = text[text.index("Input lines to use\n"):].splitlines()[1:]
         (Path(folder) / "proposed").write_text("\n".join(line for line in lines if line.startswith("  ")) + "\n", encoding="ascii")
         particles = re.search(r"few particles, N +(\d+)", text)[1]
         strain = re.search(r"strain averaged +(\S+)", text)[1]

@@ -27,7 +27,7 @@
 namespace LAMMPS_NS::Scene_NS {
 
 // change of the viscosity = coefficient x^exponent, measured for x in [low, high]; below low the
-// law interpolates to 0, above high nothing is promised
+// law interpolates to 0, above high there is no bound
 struct ErrorLaw {
   double coefficient, error, exponent, low, high;
   double at(double x) const { return coefficient * std::pow(x, exponent); }
@@ -146,7 +146,8 @@ inline double steps_per_strain(const Plan &p, const Scene &s, const Numbers &n, 
       std::sqrt(n.St / p.St * (1.0 / n.crushing) / p.softness);
 }
 
-// the cheapest settings that promise the tolerance; limit: of the time step at the settings of now
+// the cheapest settings whose error bound is within the tolerance; limit: of the time step at the
+// settings of now
 inline Plan plan(double tolerance, const Scene &s, const Numbers &n, double limit)
 {
   Plan best;
@@ -168,7 +169,7 @@ inline Plan plan(double tolerance, const Scene &s, const Numbers &n, double limi
   return best;
 }
 
-// the smallest tolerance that any settings promise, with an endless run
+// the smallest error bound of any settings, with an endless run
 inline double finest(const Scene &s, const Numbers &n, double limit)
 {
   double low = 0.0, high = 1.0;
@@ -185,7 +186,8 @@ inline std::vector<std::string> remarks(double tolerance, const Scene &s)
   std::vector<std::string> out;
   if (tolerance < MODEL_DOUBT)
     out.push_back(
-        "this is about the converged solution of the model, which is not known to be within " +
+        "the tolerance refers to the converged solution of the model, which is not known to be "
+        "within " +
         show(100.0 * MODEL_DOUBT) + " % of an experiment");
   if (tolerance < SMALLEST_MEASURED)
     out.push_back("single errors below " + show(100.0 * SMALLEST_MEASURED) +

@@ -92,7 +92,7 @@ std::string SceneAdviser::deck_lines(const std::vector<Verdict> &verdicts) const
 {
   const Scene_NS::Scene &s = scene;
   if (!known(s.rate) && !known(s.pressure))
-    return "No deck lines: what may be left out was measured in shear; define the flow before "
+    return "No input lines: what may be left out was measured in shear; define the flow before "
            "this command, or give rate g\n";
 
   const unsigned idle = Scene_NS::with_answer(verdicts, Scene_NS::NOT_NEEDED);
@@ -101,7 +101,7 @@ std::string SceneAdviser::deck_lines(const std::vector<Verdict> &verdicts) const
   Lubcontact_NS::Law use = without(law, idle);
   use.settings.films |= films;
 
-  std::string text = "Deck lines to use\n";
+  std::string text = "Input lines to use\n";
   if (pair || known(s.viscosity))
     text +=
         Scene_NS::style_line(use, pair ? pair->viscosity_word() : fmt::format("{}", s.viscosity));

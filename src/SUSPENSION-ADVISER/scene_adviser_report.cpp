@@ -58,7 +58,7 @@ std::string SceneAdviser::advice_for_falling() const
   return (brief ? "" : describe() + describe_settling(fall)) +
       table(Scene_NS::judge_settling(scene, fall)) +
       as_lines(Scene_NS::settling_warnings(scene, fall)) +
-      "No deck lines: this scene is not sheared, and nothing was measured of others\n";
+      "No input lines: the system is not sheared, and there are no measurements for other flows\n";
 }
 
 std::string SceneAdviser::advice_for_shear() const
@@ -76,7 +76,7 @@ std::string SceneAdviser::advice_for_shear() const
 
 std::string SceneAdviser::table(const std::vector<Verdict> &verdicts) const
 {
-  std::string text = "Which effects this scene calls for\n";
+  std::string text = "Effects that this system needs\n";
   for (const Verdict &v : verdicts)
     text += fmt::format("  {:<18} {:<20} {}\n", Scene_NS::EFFECT_NAME[v.effect],
                         Scene_NS::ANSWER_NAME[v.answer], v.why);
@@ -118,7 +118,7 @@ std::string SceneAdviser::describe_pressure() const
   const double unit = force->nktv2p, low = numbers.front().pressure, high = numbers.back().pressure;
   std::string text = show(low * unit);
   if (low < high)
-    text += fmt::format(" to {} (estimated from phi; it takes a run to tell)", show(high * unit));
+    text += fmt::format(" to {} (estimated from phi; run to obtain the value)", show(high * unit));
   else if (numbers.front().estimated)
     text += " (estimated from phi)";
   else if (measured.used)

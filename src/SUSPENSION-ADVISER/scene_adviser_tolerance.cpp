@@ -63,21 +63,23 @@ static std::string missing(const Scene_NS::Scene &s, const Numbers &n, bool has_
 std::string SceneAdviser::plan_text(const Plan &p) const
 {
   const Scene_NS::Scene &s = scene;
-  std::string text = fmt::format("  {:<26} {:>10} {:>10}\n", "source of error", "setting", "error");
+  std::string text = fmt::format("  {:<27} {:>10} {:>10}\n", "source of error", "setting", "error");
   const std::string settings[] = {show(p.step), show(p.softness), show(p.St),
                                   fmt::format("{:.0f}", p.particles)};
   static constexpr const char *NAME[] = {"dt/limit", "P/(E eps)", "St", "N"};
   for (int c = 0; c < Scene_NS::NO_TWIST; c++)
-    text += fmt::format("  {:<26} {:>10} {:>10}\n",
+    text += fmt::format("  {:<27} {:>10} {:>10}\n",
                         fmt::format("{}, {}", Scene_NS::CAUSE_NAME[c], NAME[c]), settings[c],
                         percent(p.change[c]));
-  text += fmt::format("  {:<26} {:>10} {:>10}\n", "twisting film", p.twist ? "on" : "off",
+  text += fmt::format("  {:<27} {:>10} {:>10}\n", "twisting film", p.twist ? "on" : "off",
                       percent(p.change[Scene_NS::NO_TWIST]));
-  text += fmt::format("  {:<26} {:>10} {:>10}\n", "doubt of the above", "", percent(p.doubt));
-  text += fmt::format("  {:<26} {:>10} {:>10}\n", "scatter, strain averaged", show(p.strain),
+  text +=
+      fmt::format("  {:<27} {:>10} {:>10}\n", "standard error of the above", "", percent(p.doubt));
+  text += fmt::format("  {:<27} {:>10} {:>10}\n", "scatter, strain averaged", show(p.strain),
                       percent(p.scatter));
-  text += fmt::format("  promised: {} (sum of the errors, twice doubt and scatter), {} expected\n",
-                      percent(p.promised()), percent(std::hypot(p.expected(), p.scatter)));
+  text +=
+      fmt::format("  error bound: {} (sum of errors + 2 combined standard errors), {} expected\n",
+                  percent(p.promised()), percent(std::hypot(p.expected(), p.scatter)));
   const double strain = Scene_NS::SETTLE + p.strain;
   text += fmt::format("  cost: {} CPU seconds of the benchmark's machine = {} per particle and "
                       "unit of strain x N {} x "
@@ -126,7 +128,7 @@ std::string SceneAdviser::tolerance_lines() const
   const Plan p = Scene_NS::plan(tolerance, s, n, s.dt_limit);
   if (!p.possible)
     return text +
-        fmt::format("  cannot promise it: what was measured is good for {} at best\n",
+        fmt::format("  cannot reach this tolerance: the smallest error bound is {}\n",
                     percent(Scene_NS::finest(s, n, s.dt_limit)));
   text += plan_text(p);
   for (const std::string &remark : Scene_NS::remarks(tolerance, s)) text += "  " + remark + "\n";
@@ -137,7 +139,7 @@ std::string SceneAdviser::tolerance_lines() const
 
   const double stiffer = 1.0 / (p.softness * n.crushing), heavier = p.St / n.St;
   const double dt = p.step * s.dt_limit * std::sqrt(heavier / stiffer);
-  text += "Deck lines to use\n";
+  text += "Input lines to use\n";
   text += fmt::format("  set group all density {:.4g}\n", heavier * s.density / force->mvv2e);
   text += Scene_NS::style_line(p.twist ? law : without(law, Lubcontact_NS::TWIST),
                                pair->viscosity_word()) +

@@ -8,8 +8,8 @@
 ------------------------------------------------------------------------- */
 
 // Before a run the pressure of a scene is known by its volume fraction only, and where contacts may
-// rub or slip, or pack better than spheres of one size, only within bounds: what holds at both is
-// said, what does not is left to a run.
+// be frictional or not, or pack better than spheres of one size, only within bounds: what holds at
+// both is said, what does not is left to a run.
 
 #ifndef SCENE_BOUNDS_H
 #define SCENE_BOUNDS_H

@@ -160,8 +160,8 @@ SceneInstance::Parts SceneInstance::parts_of(LAMMPS *lmp)
                  fix->id, CURE);
     if (!copied && !watches(fix, lmp->modify->fmask[n]))
       error->all(FLERR,
-                 "Suspension_scene measure copies sheared suspensions with nothing else that acts, "
-                 "but cannot copy fix {} of style {}: unfix it if it does not matter; {}",
+                 "Suspension_scene measure supports only sheared suspensions without other forces "
+                 "and cannot copy fix {} of style {}: unfix it if it does not matter; {}",
                  fix->id, fix->style, CURE);
   }
   if (!parts.flow)

@@ -42,7 +42,7 @@ class SceneInstance {
     std::vector<Fix *> drags;    // among them
     bool overdamped = false;     // and the drag moves the particles
   };
-  static constexpr const char *CURE = "the advice without the word measure works here, too; or "
+  static constexpr const char *CURE = "suspension_scene without measure works; or "
                                       "compare two runs of your own, with the effect and without";
   static Parts parts_of(LAMMPS *);
   static double deform_rate(LAMMPS *);

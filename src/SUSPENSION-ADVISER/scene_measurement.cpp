@@ -302,8 +302,8 @@ void SceneMeasurement::check_laws(const Options &options, const Lubcontact_NS::L
   Scene_NS::each_pair(law, [&](int i, int j, const Lubcontact_NS::TypeCoeffs &c) {
     if (c.roughness_a == 0.0)
       error->all(FLERR, options.adhesion_word,
-                 "Suspension_scene measure adhesion is of asperities, but types {} {} have none: "
-                 "give them a roughness > 0",
+                 "Suspension_scene measure adhesion acts between asperities, but types {} {} have "
+                 "none: give them a roughness > 0",
                  i, j);
   });
 }
@@ -376,10 +376,10 @@ std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Option
   }
   if (idle > 1) text += compared.row("all of these", run_copy(parts, nsteps, less));
   text += missing +
-      fmt::format("Deck lines to use: changes below {} left out\n", percent(options.limit)) +
+      fmt::format("Input lines to use: changes below {} left out\n", percent(options.limit)) +
       deck_lines(parts, less);
   if (!undecided.empty())
-    text += fmt::format("  # within its scatter undecided:{}; more steps or particles tell\n",
+    text += fmt::format("  # undecided within the scatter:{}; use more steps or particles\n",
                         undecided);
   if (all.strain < 1.0)
     text += "  # a strain below 1 shows what an effect does at once, not the structure that "
@@ -403,7 +403,7 @@ std::string SceneMeasurement::head_of(const Parts &parts, const Measured &all, i
     text += "  the pairs had no history yet: films and springs have built up in the first half "
             "(after read_restart: add run 0 before)\n";
   else if (!as_deck)
-    text += "  what the deck lacks began as in pairs that have just met\n";
+    text += "  effects missing in the script started as in new pairs\n";
   text +=
       fmt::format("  everything on{}: stress xy {:.6g} +- {:.2g}, pressure yy {:.6g} +- {:.2g}, "
                   "{:.4g} microseconds of CPU a step\n",

@@ -33,7 +33,8 @@ inline double rounded(double x)
   return x == 0.0 ? 0.0 : power < 0.0 ? std::round(x * unit) / unit : std::round(x / unit) * unit;
 }
 
-// laws of friction with a critical load, by how much of it they keep where all contacts rub
+// laws of friction with a critical load, by how much of it they keep where all contacts are
+// frictional
 enum CriticalLaw { STEP_LAW, SHIFT_LAW, RAMP_LAW };
 
 // What is known of a scene, in one consistent system of units. Pressure: of the particles.
@@ -48,7 +49,7 @@ struct Scene {
   double repulsion = UNKNOWN, adhesion = UNKNOWN, critical = UNKNOWN;    // forces of the surfaces
   double critical_max = UNKNOWN;    // of pairs of types with several; unknown: the same
   CriticalLaw critical_law = STEP_LAW;
-  bool rubs_always = false;          // pairs of types that rub without a critical load
+  bool rubs_always = false;          // pairs of types with friction but no critical load
   double thermal = UNKNOWN;          // kT
   double fluid_density = UNKNOWN;    // mass/volume
   double dt = UNKNOWN, dt_limit = UNKNOWN;
@@ -115,7 +116,8 @@ inline double packing_gain(double spread, double skew)
       (0.0658 * (spread - NARROW) + 0.0857 * std::fmax(skew, 0.0) * spread * spread) / 0.634;
 }
 
-// where the scene jams for certain: no contact that has a critical load rubs, sizes pack well
+// where the scene jams for certain: no contact that has a critical load is frictional,
+// sizes pack well
 inline double loosest_jamming(const Scene &s)
 {
   const bool may_slip = s.critical > 0.0 && !s.rubs_always;
@@ -123,8 +125,9 @@ inline double loosest_jamming(const Scene &s)
 }
 
 // Pressure of the steady flow by the volume fraction, from where it is least to where it is largest:
-// no contact that has a critical load rubs, sizes pack as well as they can; all contacts rub, sizes
-// pack as equal ones. Infinite: jammed. Unknown without rate, viscosity and friction.
+// no contact that has a critical load is frictional, sizes pack as well as they can; all contacts
+// are frictional, sizes pack as equal ones. Infinite: jammed. Unknown without rate, viscosity and
+// friction.
 struct Bounds {
   double low = UNKNOWN, high = UNKNOWN;
   bool one() const { return !(high > 1.1 * low); }    // as far as the law is good

@@ -7,7 +7,7 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Which effects does a scene call for? One table of thresholds with their sources, one line of
+// Which effects does a scene need? One table of thresholds with their sources, one line of
 // judgement per effect. The manual page suspension_scene quotes the table.
 
 #ifndef SCENE_VERDICT_H
@@ -60,9 +60,11 @@ inline constexpr Threshold THRESHOLD[NUM_LIMITS] = {
      "benchmarks/accuracy_cost: left out at phi 0.54, friction 0.5, not nearer to jamming"},
     {"gain", 0.1, "Chevremont et al., Phys. Rev. Fluids 4, 064302 (2019), eq. 13"},
     {"P a^2/F", 0.03,
-     "examples/shear_thickening: 0 to 1 % of the contacts rub up to 0.03, 1 to 12 % at 0.05"},
+     "examples/shear_thickening: 0 to 1 % of the contacts are frictional up to 0.03, 1 to 12 % at "
+     "0.05"},
     {"P a^2/F", 3.0,
-     "examples/shear_thickening: 91 to 93 % of the contacts rub at 1.5 to 1.8, 97 to 98 % above 3"},
+     "examples/shear_thickening: 91 to 93 % of the contacts are frictional at 1.5 to 1.8, "
+     "97 to 98 % above 3"},
     {"F/(P d^2)", 0.3,
      "examples/yield_stress: stress +1 +- 8 % at 0.3, +11 +- 9 % at 0.5, +9 and +37 % at 0.9"},
     {"F/(P d^2)", 0.1,
@@ -201,21 +203,23 @@ inline Verdict judge_friction(const Scene &s, const Numbers &n)
     return {FRICTION_LAW, NOT_NEEDED,
             "no contact reaches its critical load: " + compare(n.critical, CRITICAL_LOW)};
   if (s.dimension != 3.0)
-    return {FRICTION_LAW, NEEDED, "no law of discs to tell whether it could be left out"};
+    return {FRICTION_LAW, NEEDED,
+            "no law for discs is known that decides whether it can be left out"};
   return above(FRICTION_LAW, n.friction_gain, FRICTION_GAIN, NEEDED, NOT_NEEDED);
 }
 
 inline Verdict judge_critical(const Scene &s, const Numbers &n)
 {
   if (!known(s.critical))
-    return {CRITICAL_LOAD, CANNOT_TELL, "give the load below which nothing rubs: critical F"};
+    return {CRITICAL_LOAD, CANNOT_TELL,
+            "give the load below which contacts have no friction: critical F"};
   if (s.critical == 0.0) return {CRITICAL_LOAD, NOT_NEEDED, "the critical load is 0"};
   if (s.friction == 0.0) return {CRITICAL_LOAD, NOT_NEEDED, "without friction it cannot act"};
   if (!known(n.critical))
     return {CRITICAL_LOAD, CANNOT_TELL, "pressure unknown: give it or rate and viscosity"};
   if (all_slip(s, n))
     return {CRITICAL_LOAD, NOT_NEEDED,
-            "no contact rubs, use friction none: " + compare(n.critical, CRITICAL_LOW)};
+            "no contact is frictional, use friction none: " + compare(n.critical, CRITICAL_LOW)};
   if (judge_friction(s, n).answer == NOT_NEEDED)
     return {CRITICAL_LOAD, NOT_NEEDED, "friction is not needed either"};
   if (s.critical_law != STEP_LAW)
@@ -294,7 +298,8 @@ inline Verdict judge_roughness(const Scene &s)
   if (s.viscosity == 0.0) return {ROUGHNESS, NOT_NEEDED, "dry: surfaces touch without asperities"};
   if (s.friction == 0.0)
     return {ROUGHNESS, NEEDED, "it sets the smallest gap, also without friction"};
-  return {ROUGHNESS, NEEDED, "without asperities surfaces in a fluid never touch nor rub"};
+  return {ROUGHNESS, NEEDED,
+          "without asperities surfaces in a fluid never touch and have no friction"};
 }
 
 inline Verdict judge_compliance(const Numbers &n)

@@ -55,7 +55,7 @@ void BackgroundFluid::exclude_plates()
     if (!cell) continue;
     own.forbid(cell->plate_bits(), [this, other](const std::string &who) {
       return fmt::format(
-          "Fix {} acts on {} of the plates of fix {}, which moves them by itself; use "
+          "Fix {} acts on {} of the plates of fix {}, which are moved by that fix; use "
           "the group of the particles between the plates",
           style, who, other->id);
     });
@@ -98,8 +98,8 @@ double BackgroundFluid::value_of(const std::string &variable) const
         fix->id, variable);
   if (flow->is_per_atom(variable))
     error->all(FLERR,
-               "Suspension_scene measure cannot copy fix {}: variable {} is atom-style; the advice "
-               "without the word measure works here, too",
+               "Suspension_scene measure cannot copy fix {}: variable {} is atom-style; "
+               "suspension_scene without measure works",
                fix->id, variable);
   std::vector<Suspension_NS::InputNumber> numbers = flow->numbers();
   numbers.push_back(eta);
@@ -152,7 +152,7 @@ void BackgroundFluid::check_isolated() const
         error->all(
             FLERR,
             "Fix {} isolated would count the partners of types {} {} {} times, once for each "
-            "sub-style lubcontact: give the types one of them",
+            "sub-style lubcontact: assign these types to one sub-style only",
             style, i, j, styles);
     }
 }

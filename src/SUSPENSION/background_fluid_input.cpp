@@ -72,8 +72,7 @@ void BackgroundFluid::parse(int narg, char **arg)
 
     for (const auto &kind : BackgroundFlow::styles()) {
       if (key != kind.keyword) continue;
-      if (flow)
-        error->all(FLERR, iarg, "Fix {} has the flow {} already: {} cannot act", style, found, key);
+      if (flow) error->all(FLERR, iarg, "Fix {} already has flow {}; remove {}", style, found, key);
       flow = kind.make(lmp, {fix, arg, iarg});
       found = key;
     }

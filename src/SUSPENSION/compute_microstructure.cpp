@@ -139,9 +139,7 @@ void ComputeMicrostructure::read_directions(int iarg, int narg, char **arg)
       }
     } else if (key == "band") {
       if (mode == SPHERE || flat)
-        error->all(FLERR, iarg,
-                   "Compute microstructure band cuts directions out of the sphere: it needs mode "
-                   "angle and three dimensions");
+        error->all(FLERR, iarg, "Compute microstructure band needs mode angle and a 3d system");
       directions->band = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
       if (!(directions->band > 0.0 && directions->band <= 1.0))
         error->all(FLERR, iarg + 1, "Compute microstructure band must be in (0, 1], but is {}",

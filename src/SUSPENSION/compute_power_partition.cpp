@@ -13,6 +13,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_background_fluid.h"
+#include "fix_pore_pressure.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
 #include "lubcontact_tally.h"
@@ -30,19 +31,21 @@
 using namespace LAMMPS_NS;
 
 using Lubcontact_NS::NUM_ORIGINS;
-static constexpr int DRAG = NUM_ORIGINS, KINETIC = DRAG + 1, NUM_ROWS = KINETIC + 1;
+static constexpr int DRAG = NUM_ORIGINS, KINETIC = DRAG + 1, PORE = KINETIC + 1,
+                     NUM_ROWS = PORE + 1;
 static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 
 /* ---------------------------------------------------------------------- */
 
 ComputePowerPartition::ComputePowerPartition(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), inertia(new SpinInertia())
+    Compute(lmp, narg, arg), pore(nullptr), inertia(new SpinInertia())
 {
   if (narg > 3)
     error->all(FLERR, 3, "Unknown compute power/partition argument: {}; it takes none", arg[3]);
   if (igroup)
     error->all(FLERR, 1,
-               "Compute power/partition is of the whole cell: use group all instead of {}", arg[1]);
+               "Compute power/partition applies to the whole cell: use group all instead of {}",
+               arg[1]);
 
   scalar_flag = array_flag = 1;
   extscalar = extarray = 1;
@@ -69,6 +72,8 @@ void ComputePowerPartition::init()
   for (const auto &fix : modify->get_fix_list())
     if (auto *drag = dynamic_cast<FixBackgroundFluid *>(fix)) drags.push_back(drag);
   inertia->find(lmp);
+  const auto pores = modify->get_fix_by_style("^pore/pressure");
+  pore = pores.empty() ? nullptr : dynamic_cast<FixPorePressure *>(pores.front());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -80,7 +85,8 @@ void ComputePowerPartition::require_tally() const
       error->all(
           FLERR,
           "Power by origin was not tallied in step {}: use compute power/partition where its "
-          "steps are known in advance (thermo, fix ave, dump, every-type variables)",
+          "steps are known in advance (thermo output, fix ave/*, dumps, and variables they "
+          "evaluate)",
           update->ntimestep);
 }
 
@@ -112,6 +118,8 @@ void ComputePowerPartition::compute_array()
   array[KINETIC][1] += 0.5 * force->mvv2e * (f.xx + f.yy + f.zz);
   if (pairs.front()->tally().power_of_step())
     for (auto &fix : drags) array[DRAG][0] += fix->mean_power();
+  array[PORE][0] =
+      pore && pore->acts() && pairs.front()->tally().power_of_step() ? pore->mean_power() : 0.0;
 }
 
 /* ----------------------------------------------------------------------

@@ -33,6 +33,7 @@ class ComputePowerPartition : public Compute {
   double memory_usage() override;
 
  protected:
+  class FixPorePressure *pore;                  // or null
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
   std::vector<class FixBackgroundFluid *> drags;
   std::unique_ptr<class SpinInertia> inertia;

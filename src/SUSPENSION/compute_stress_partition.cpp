@@ -12,10 +12,12 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_pore_pressure.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
 #include "lubcontact_tally.h"
 #include "memory.h"
+#include "modify.h"
 #include "pair_lubcontact.h"
 #include "particle_inertia.h"
 #include "suspension_host.h"
@@ -25,19 +27,19 @@
 using namespace LAMMPS_NS;
 
 using Lubcontact_NS::NUM_CHANNELS;
-static constexpr int NUM_ROWS = Lubcontact_NS::NUM_STRESS_ROWS;
+static constexpr int PORE = Lubcontact_NS::NUM_STRESS_ROWS, NUM_ROWS = PORE + 1;
 static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 
 /* ---------------------------------------------------------------------- */
 
 ComputeStressPartition::ComputeStressPartition(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg)
+    Compute(lmp, narg, arg), pore(nullptr)
 {
   if (narg > 3)
     error->all(FLERR, 3, "Unknown compute stress/partition argument: {}; it takes none", arg[3]);
   if (igroup)
     error->all(FLERR, 1,
-               "Compute stress/partition is of the whole cell: use group all instead of {}",
+               "Compute stress/partition applies to the whole cell: use group all instead of {}",
                arg[1]);
 
   array_flag = 1;
@@ -61,6 +63,8 @@ void ComputeStressPartition::init()
 {
   pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
+  const auto pores = modify->get_fix_by_style("^pore/pressure");
+  pore = pores.empty() ? nullptr : dynamic_cast<FixPorePressure *>(pores.front());
 }
 
 /* ----------------------------------------------------------------------
@@ -81,7 +85,8 @@ void ComputeStressPartition::compute_array()
     if (!pair->tally().has_stress())
       error->all(FLERR,
                  "Stress by origin was not tallied in step {}: use compute stress/partition where "
-                 "its steps are known in advance (thermo, fix ave, dump, every-type variables)",
+                 "its steps are known in advance (thermo output, fix ave/*, dumps, and variables "
+                 "they evaluate)",
                  update->ntimestep);
     for (int m = 0; m < NUM_CHANNELS; m++)
       for (int n = 0; n < NUM_COMPONENTS; n++)
@@ -98,6 +103,9 @@ void ComputeStressPartition::compute_array()
   const double volume = Suspension_NS::cell_volume(domain);
   for (int m = 0; m < NUM_ROWS; m++)
     for (int n = 0; n < NUM_COMPONENTS; n++) array[m][n] = -force->nktv2p / volume * all.row[m][n];
+  // the fluid between the particles: the same on all ranks
+  if (pore && pore->acts())
+    for (int d = 0; d < 3; d++) array[PORE][d] = -force->nktv2p / volume * pore->pressure_volume();
 }
 
 /* ---------------------------------------------------------------------- */

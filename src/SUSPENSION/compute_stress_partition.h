@@ -31,6 +31,7 @@ class ComputeStressPartition : public Compute {
   double memory_usage() override;
 
  protected:
+  class FixPorePressure *pore;                  // or null
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
 };
 

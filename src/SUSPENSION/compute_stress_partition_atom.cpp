@@ -121,8 +121,8 @@ void ComputeStressPartitionAtom::collect_parts()
     if (!pair->tally().has_atoms())
       error->all(FLERR,
                  "Stress by origin per atom was not tallied in step {}: use compute "
-                 "stress/partition/atom where its steps are known in advance (thermo, fix ave, "
-                 "dump, every-type variables)",
+                 "stress/partition/atom where its steps are known in advance (thermo output, "
+                 "fix ave/*, dumps, and variables they evaluate)",
                  update->ntimestep);
     for (int i = 0; i < nall; i++)
       for (int m = 0; m < NUM_CHANNELS; m++) {

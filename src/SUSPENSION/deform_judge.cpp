@@ -48,8 +48,8 @@ void DeformJudge::judge(const DeformTargets &targets, const DeformStress &measur
   if (!warned_every && (targets.holds_pressure() || drives) && fabs(rate) * dt > 0.5 * LAG) {
     if (comm->me == 0)
       error->warning(FLERR,
-                     "Fix {}: the strain {:.3g} between two adjustments of the flow is more than "
-                     "half the lag of the servos, {}: reduce every, or the time step",
+                     "Fix {}: the strain {:.3g} between two adjustments of the flow exceeds half "
+                     "the time lag of the servos, {}: reduce every, or the time step",
                      style, fabs(rate) * dt, LAG);
     warned_every = true;
   }
@@ -71,7 +71,7 @@ void DeformJudge::judge_pressure(const DeformTargets &targets, const DeformStres
   if (!unreachable(watched.pressure)) return;
   verdict = UNREACHABLE;
   warn(fmt::format("the pressure, now {:.4g}, has been far from its target {:.4g} for {:.3g} units "
-                   "of strain: it cannot be reached in this scene",
+                   "of strain: this system cannot reach it",
                    measured.pressure(), target, watched.pressure.age));
 }
 
@@ -93,7 +93,7 @@ void DeformJudge::judge_stress(const DeformTargets &targets, const DeformStress 
   if (unreachable(watched.stress)) {
     verdict = UNREACHABLE;
     warn(fmt::format("the stress, now {:.4g} at the rate {:.4g}, has been far from its target "
-                     "{:.4g} for {:.3g} units of strain: it cannot be reached in this scene",
+                     "{:.4g} for {:.3g} units of strain: this system cannot reach it",
                      total, rate, target, watched.stress.age));
   }
   watched.rate = watch(watched.rate, fabs(rate) / creep, w, dt);

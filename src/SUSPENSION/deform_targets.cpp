@@ -37,7 +37,7 @@ int DeformTargets::parse(int iarg, int narg, char **arg, bool underline)
   const int where = underline ? iarg : Error::NOPOINTER;
   auto set_confinement = [&](Confinement to) {
     if (underline && confined != OPEN)
-      error->all(FLERR, where, "Fix {} takes one of pressure, volume; {} is one too many", style,
+      error->all(FLERR, where, "Fix {} accepts only one of pressure, volume; remove {}", style,
                  key);
     confined = to;
   };
@@ -53,10 +53,9 @@ int DeformTargets::parse(int iarg, int narg, char **arg, bool underline)
   }
   if (key != "pressure" && key != "viscosity" && key != "gain")
     error->all(FLERR, where,
-               underline
-                   ? "Unknown fix {} keyword: {}"
-                   : "Fix {} {} cannot be changed by fix_modify; what can is: rate, iv, stress, "
-                     "oscillate, pressure, volume, viscosity, gain, lists",
+               underline ? "Unknown fix {} keyword: {}"
+                         : "Fix {} {} cannot be changed by fix_modify; allowed keywords: rate, iv, "
+                           "stress, oscillate, pressure, volume, viscosity, gain, lists",
                style, key);
   need_values(key == "pressure"   ? "pressure P"
                   : key == "gain" ? "gain K"
@@ -84,7 +83,7 @@ int DeformTargets::parse_drive(int iarg, int narg, char **arg, bool underline)
 {
   const std::string key = arg[iarg];
   if (underline && kind != NONE_YET)
-    error->all(FLERR, iarg, "Fix {} takes one of rate, iv, stress, oscillate; {} is one too many",
+    error->all(FLERR, iarg, "Fix {} accepts only one of rate, iv, stress, oscillate; remove {}",
                style, key);
   need_values(key == "oscillate"  ? "oscillate g0 g1 w"
                   : key == "rate" ? "rate g"
@@ -169,15 +168,16 @@ void DeformTargets::update()
 
   if (confined == VOLUME && kind == IV)
     error->all(FLERR,
-               "Fix {} cannot hold a viscous number at constant volume, where it follows from the "
-               "volume fraction: give a pressure, or a rate",
+               "Fix {} cannot impose a viscous number at constant volume, where it follows from "
+               "the volume fraction: give a pressure, or a rate",
                style);
   if (confined == PRESSURE && !(number[HELD].value > 0.0))
     error->all(FLERR, "Fix {} pressure must be > 0, but is {}", style, number[HELD].value);
   if (!(number[ETA].value >= 0.0))
     error->all(FLERR, "Fix {} viscosity must be >= 0, but is {}", style, number[ETA].value);
   if (kind == IV && number[ETA].value == 0.0)
-    error->all(FLERR, "Fix {} cannot hold a viscous number without viscosity: give a rate", style);
+    error->all(FLERR, "Fix {} cannot impose a viscous number without viscosity: give a rate",
+               style);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -54,7 +54,7 @@ int FixDeformRheometer::setmask()
 void FixDeformRheometer::init()
 {
   if (modify->get_fix_by_style("^deform").size() > 1)
-    error->all(FLERR, "More than one fix deform: the cell can follow one only");
+    error->all(FLERR, "More than one fix deform: only one can control the cell");
   Suspension_NS::require_verlet(lmp, "Fix deform/rheometer");
   for (const auto &other : modify->get_fix_list())
     if (other->rigid_flag)
@@ -62,17 +62,16 @@ void FixDeformRheometer::init()
   refuse_constraints(lmp, std::string("Fix ") + style);
   const std::string missing = uncounted_forces(lmp, false);
   if (!missing.empty() && comm->me == 0)
-    error->warning(
-        FLERR,
-        "Fix {}: its pressure and stress are of the pair style and inertia alone, without "
-        "those of {}",
-        style, missing);
+    error->warning(FLERR,
+                   "Fix {}: pressure and stress include only the pair style and inertia, not {}",
+                   style, missing);
   check_directions();
   if (domain->xz != 0.0 || domain->yz != 0.0)
     error->all(FLERR, "Fix {} needs a cell without tilts xz and yz, but they are {} and {}", style,
                domain->xz, domain->yz);
   if (flow != Rheometer_NS::SHEAR && domain->triclinic && domain->xy != 0.0)
-    error->all(FLERR, "Fix {} extends cells without tilt, but xy is {}", style, domain->xy);
+    error->all(FLERR, "Fix {} needs a cell without tilt for extension, but xy is {}", style,
+               domain->xy);
 
   const std::string minimizer = update->minimize_style;
   if (update->whichflag == 2 && (minimizer == "fire" || minimizer == "quickmin") && comm->me == 0)
@@ -207,8 +206,8 @@ void FixDeformRheometer::check_move(const Cell &old, const Cell &cell) const
       small(old.lz, cell.lz, old.lz) && small(old.xy, cell.xy, old.lx))
     return;
   error->all(FLERR,
-             "Fix {}: at step {} the cell would move by more than half an edge in one step, at a "
-             "shear rate of {:.6g} and a step of {:.6g}: reduce the time step",
+             "Fix {}: at step {} the cell would move by more than half its length in one step, at "
+             "a shear rate of {:.6g} and a step of {:.6g}: reduce the time step",
              style, update->ntimestep, motion->rate, update->dt);
 }
 

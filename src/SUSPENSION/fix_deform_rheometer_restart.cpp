@@ -64,7 +64,9 @@ void FixDeformRheometer::restart(char *buffer)
   if (const char *wrong = Suspension_NS::read_sealed(buffer, from))
     error->all(FLERR, "The part of fix {} in the restart file {}", style, wrong);
   if (from.flow != flow)
-    error->all(FLERR, "Fix {} cannot go on from a restart file with another flow", style);
+    error->all(FLERR,
+               "Fix {} cannot continue from a restart file that was written with a different flow",
+               style);
   *motion = from.motion;
   stress->set_particles(from.particles);
 

@@ -104,22 +104,23 @@ void FixDragBackground::check_order()
     });
     if (kind == style)
       fluid->exclusive().forbid(other->groupbit, [this, name](const std::string &who) {
-        return fmt::format("Fixes {} and {} both drag the same particles, {}: one drag/background "
-                           "each; give them groups without common particles",
+        return fmt::format("Fixes {} and {} both act on the same particles, {}; give the fixes "
+                           "disjoint groups",
                            id, name, who);
       });
     else if (!reads)
       fluid->exclusive().forbid(other->groupbit, [this, name, kind](const std::string &who) {
-        return fmt::format("Fix {} {} adds forces after fix drag/background, which must know them "
-                           "all to integrate the drag of {}: define fix {} after fix {}",
+        return fmt::format("Fix {} {} adds forces after fix drag/background, which needs all other "
+                           "forces to integrate the drag of {}: define fix {} after fix {}",
                            name, kind, who, id, name);
       });
   }
   for (const auto &other : modify->get_fix_by_style("^overdamped")) {
     const std::string name = other->id, kind = other->style;
     fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
-      return fmt::format("Fix drag/background acts on {} of fix {} {}, which drags them by itself",
-                         who, name, kind);
+      return fmt::format(
+          "Fix drag/background acts on {} of fix {} {}, which already applies the drag", who, name,
+          kind);
     });
   }
 }

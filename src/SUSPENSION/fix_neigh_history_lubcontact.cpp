@@ -139,7 +139,7 @@ void FixNeighHistoryLubcontact::drop_resized()
   if (comm->me == 0)
     error->warning(FLERR,
                    "The radii of {} atoms were changed since the last run: pair style lubcontact "
-                   "sees their pairs as new ones, without a history of film and friction",
+                   "treats their pairs as new pairs, without history",
                    all);
 }
 
@@ -200,7 +200,8 @@ void FixNeighHistoryLubcontact::check_found() const
   const double lost = 0.5 * (all[1] - all[0]);
   if (lost <= 0.0) return;
   const auto text = fmt::format(
-      "{} of {} pair histories of the restart file belong to no pair of this pair style lubcontact",
+      "{} of {} pair histories of the restart file do not belong to any pair of this pair style "
+      "lubcontact",
       lost, 0.5 * all[1]);
   if (all[0] == 0.0)
     error->all(FLERR,
@@ -209,7 +210,7 @@ void FixNeighHistoryLubcontact::check_found() const
                "suspension_history forget all",
                text);
   if (comm->me == 0)
-    error->warning(FLERR, "{}: they are dropped (atoms were moved apart, or pairs excluded)", text);
+    error->warning(FLERR, "{}: they are deleted (atoms were moved apart, or pairs excluded)", text);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -359,7 +360,7 @@ void FixNeighHistoryLubcontact::record(int i, const double *row)
   if (n == 0 || mine[n - 2] != layout)
     error->one(
         FLERR,
-        "The restart file holds the pair history of other effects than those that pair style "
+        "The restart file contains the pair history of different effects than pair style "
         "lubcontact has now, or it is damaged: keep the effects it was written with for the first "
         "run after read_restart");
   std::vector<double> copy(mine + 1, mine + n);

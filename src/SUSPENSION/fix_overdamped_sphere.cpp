@@ -79,7 +79,7 @@ void FixOverdampedSphere::check_others()
     if (other == this || !other->time_integrate) continue;
     const std::string name = other->id, kind = other->style;
     fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
-      return fmt::format("Fix {} {} moves {} that fix overdamped/sphere moves, too: remove it, or "
+      return fmt::format("Fix {0} {1} and fix overdamped/sphere both move {2}: remove fix {0}, or "
                          "give it another group",
                          name, kind, who);
     });

@@ -154,8 +154,8 @@ void FixRheometerPlates::initial_integrate(int /*vflag*/)
   state->gap += dt * state->vy;
   if (!(state->gap > 0.0))
     error->all(FLERR,
-               "Fix rheometer/plates: the plates have met at step {}; reduce the pressure, or put "
-               "more particles between them",
+               "Fix rheometer/plates: the plates touch each other at step {}; reduce the pressure, "
+               "or put more particles between them",
                update->ntimestep);
 
   if (targets->drive() == PlatesTargets::STRESS || targets->drive() == PlatesTargets::VELOCITY) {

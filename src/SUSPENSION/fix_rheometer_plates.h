@@ -52,11 +52,13 @@ class FixRheometerPlates : public Fix {
   void restart(char *) override;
   void measure_surfaces(double &, double &) const;    // mean heights, lower and upper
   int plate_bits() const { return bit[0] | bit[1]; }
+  int plate_bit(int plate) const { return bit[plate]; }    // 0 lower, 1 upper
 
   // of the last step: gap (0: not yet known) and velocity of the upper plate along x, shear rate,
   // volume fraction of the particles between the plates (0: not yet known)
   double gap() const;
   double velocity() const;
+  double opening() const;    // velocity of the upper plate along y
   double rate() const;
   double phi() const;
   double imposed_pressure() const;    // 0 if there is none

@@ -58,7 +58,8 @@ void FixRheometerPlates::check_cell() const
                "Fix rheometer/plates: the plates would meet across the periodic boundary "
                "along y; use: boundary p m p");
   if (!domain->xperiodic || !domain->zperiodic)
-    error->all(FLERR, "Fix rheometer/plates: plates are endless along x{}; use: boundary p m p",
+    error->all(FLERR,
+               "Fix rheometer/plates: plates must be periodic along x{}; use: boundary p m p",
                domain->dimension == 3 ? " and z" : "");
 }
 
@@ -84,7 +85,7 @@ void FixRheometerPlates::check_groups() const
     error->all(FLERR, "Fix rheometer/plates: {} particles are in both plates", all[BOTH]);
   if (all[SUSPENDED])
     error->all(FLERR,
-               "Fix rheometer/plates: its group {} holds {} particles of the plates; use the group "
+               "Fix rheometer/plates: group {} contains {} particles of the plates; use the group "
                "of the particles between them, for example: group between subtract all {} {}",
                group->names[igroup], all[SUSPENDED], group->names[igroup_plate[LOWER]],
                group->names[igroup_plate[UPPER]]);
@@ -104,8 +105,8 @@ void FixRheometerPlates::exclude_integrators()
     if (!moved) continue;
     const std::string name = other->id, kind = other->style, between = group->names[igroup];
     own->forbid(moved, [name, kind, between](const std::string &who) {
-      return fmt::format("Fix {} {} moves {} of the plates, which fix rheometer/plates moves by "
-                         "itself; use for it: group {}",
+      return fmt::format("Fix {0} {1} moves {2} of the plates, which are moved by fix "
+                         "rheometer/plates; use group {3} for fix {0}",
                          name, kind, who, between);
     });
   }
@@ -193,7 +194,7 @@ void FixRheometerPlates::check_time_step() const
   const double limit = Rheometer_NS::plate_step_limit(moving_mass(), 2.0 * number * stiffest);
   if (update->dt > limit && comm->me == 0)
     error->warning(FLERR,
-                   "Time step {} exceeds {:.4g}, where a plate of mass {:.6g} becomes unstable if "
-                   "all of its particles touch others: reduce it, or increase the mass",
+                   "Time step {} exceeds {:.4g}, where a plate of mass {:.6g} is unstable when all "
+                   "of its particles are in contact: reduce it, or increase the mass",
                    update->dt, limit, targets->mass());
 }

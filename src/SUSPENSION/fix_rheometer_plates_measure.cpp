@@ -103,8 +103,8 @@ void FixRheometerPlates::take_particles(const double *all)
 {
   if (targets->load() == PlatesTargets::PRESSURE && all[NUMBER] == 0.0)
     error->all(FLERR,
-               "Fix rheometer/plates cannot hold a pressure: group {} of the suspended particles "
-               "is empty",
+               "Fix rheometer/plates cannot impose a pressure: group {} of the suspended "
+               "particles is empty",
                group->names[igroup]);
   const double number = MAX(all[NUMBER], 1.0), volume = all[NUMBER] > 0.0 ? all[VOLUME] : 1.0;
   measured(state->solid, all[VOLUME], all[VOLUME]);
@@ -183,7 +183,8 @@ void FixRheometerPlates::watch_targets(double dt)
   const double w = Rheometer_NS::servo_rate(m, state->rate, p, Rheometer_NS::PRESSURE_FLOOR);
   state->code_y =
       watch(wall.pressure, p, w, state->deviation_y, state->age_y, state->warned_y, "pressure",
-            "the suspension is jammed, too dilute to push, or the plate too slow");
+            "the suspension is jammed or too dilute to carry the pressure, or the plate moves too "
+            "slowly");
   if (targets->load() == PlatesTargets::PRESSURE && state->code_y == Rheometer_NS::FOLLOWING &&
       fabs(state->dilation) >= Rheometer_NS::dilation_limit(m, p, state->rate, targets->gain()))
     state->code_y = Rheometer_NS::LIMITED;
@@ -199,6 +200,11 @@ double FixRheometerPlates::gap() const
 double FixRheometerPlates::velocity() const
 {
   return state->vx;
+}
+
+double FixRheometerPlates::opening() const
+{
+  return state->vy;
 }
 
 double FixRheometerPlates::rate() const

@@ -118,8 +118,7 @@ void lubcontact_checks::check_coefficients(LAMMPS *lmp, const Law &law, bool vis
   });
   if (given && !any_positive(law, &TypeCoeffs::roughness_a) && lmp->comm->me == 0)
     lmp->error->warning(FLERR,
-                        "Pair style lubcontact asperity does nothing: it is the stiffness of "
-                        "asperities, but the roughness is 0");
+                        "Pair style lubcontact asperity has no effect because the roughness is 0");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -137,8 +136,8 @@ void lubcontact_checks::check_repulsion(LAMMPS *lmp, const Law &law, double smal
       if (left > MOST)
         lmp->error->warning(
             FLERR,
-            "Repulsion of types {} {} still has {:.3g} of its force at the end of the "
-            "range {} of pair style lubcontact, where it jumps: extend the range",
+            "Repulsion of types {} {} has {:.3g} of its force left at the end of the range {} "
+            "of pair style lubcontact, where it drops to zero: extend the range",
             i, j, left, reach);
     }
 }
@@ -169,8 +168,8 @@ void lubcontact_checks::check_hybrid(LAMMPS *lmp, const Pair *pair, const Law &l
     const Pair *other = companion(lmp, pair, pattern);
     if (other && lmp->comm->me == 0)
       lmp->error->warning(FLERR,
-                          "Pair styles lubcontact and {} both act on types {}: two {} between the "
-                          "same particles; lubcontact replaces the other one, leave that out",
+                          "Pair styles lubcontact and {} both act on types {}, so {} act twice; "
+                          "lubcontact replaces the other style: remove it",
                           lmp->force->pair_match_ptr(const_cast<Pair *>(other)),
                           shared_types(lmp, pair, other), what);
   };
@@ -213,7 +212,8 @@ void lubcontact_checks::check_motion(LAMMPS *lmp, unsigned effects)
       if ((atom->mask[i] & fix->groupbit) && atom->radius[i] > 0.0) mine = 1;
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp->world);
     if (root && turns && any)
-      lmp->error->warning(FLERR, "Fix {} nve does not turn particles: use fix nve/sphere", fix->id);
+      lmp->error->warning(FLERR, "Fix {} nve does not rotate particles: use fix nve/sphere",
+                          fix->id);
   }
 }
 
@@ -236,8 +236,8 @@ void lubcontact_checks::check_box(LAMMPS *lmp, double longest)
 }
 
 /* ----------------------------------------------------------------------
-   LAMMPS looks for positions that are no numbers only when it rebuilds the list, which they never ask
-   for; and they are out of range of everything
+   NaN positions never trigger a rebuild of the neighbor list, the only place where LAMMPS checks
+   for them; and they are out of range of everything
 ------------------------------------------------------------------------- */
 
 void lubcontact_checks::check_positions(LAMMPS *lmp)
@@ -254,7 +254,7 @@ void lubcontact_checks::check_positions(LAMMPS *lmp)
       if (!(fabs(atom->x[i][d]) <= LARGEST))
         lmp->error->one(FLERR,
                         "Position {} of atom {} along {} at step {} is not a number: reduce the "
-                        "time step, or look for what set its velocity or force",
+                        "time step, or find the command that set its velocity or force",
                         atom->x[i][d], atom->tag[i], "xyz"[d], lmp -> update -> ntimestep);
 }
 

@@ -134,7 +134,7 @@ inline TypeCoeffs mixed(const TypeCoeffs &one, const TypeCoeffs &other)
 inline std::string complaint(const TypeCoeffs &c)
 {
   if (c.adhesion_a > 0.0 && c.roughness_a == 0.0)
-    return "adhesion is of asperities, but their roughness is 0: give them one > 0";
+    return "adhesion acts between asperities, but their roughness is 0: give them one > 0";
   if (c.law == FrictionLaw::NONE && c.friction > 0.0)
     return "there is no friction that could be changed: give pair_coeff friction coulomb 0 first";
   if (c.law <= FrictionLaw::COULOMB && c.critical > 0.0)

@@ -44,7 +44,8 @@ constexpr unsigned canonical(unsigned mask)
 constexpr unsigned covering(unsigned mask)
 {
   const unsigned extensions = mask & EXTENSIONS;
-  const unsigned films = mask & (ROLL | TWIST) ? SHEAR | ROLL | TWIST : mask & SHEAR;
+  const unsigned with_twist = extensions || (mask & ROLL) ? SHEAR | ROLL | TWIST : SHEAR | TWIST;
+  const unsigned films = mask & (ROLL | TWIST) ? with_twist : mask & SHEAR;
   const unsigned threshold = extensions ? THRESHOLD : mask & THRESHOLD;
   const unsigned friction = mask & FRICTION ? FRICTION | threshold : 0;
   return (mask & SQUEEZE) | extensions | films | friction;
@@ -61,11 +62,12 @@ constexpr auto with_extensions(std::integer_sequence<unsigned, MASK...>)
 template <unsigned X> constexpr auto instances()
 {
   constexpr unsigned S = SQUEEZE, F = FRICTION, T = FRICTION | THRESHOLD;
-  constexpr unsigned film = SHEAR, films = SHEAR | ROLL | TWIST;
+  constexpr unsigned film = SHEAR, films = SHEAR | ROLL | TWIST, no_roll = SHEAR | TWIST;
   if constexpr (X == 0)
-    return std::integer_sequence<unsigned, 0, F, T, film, film | F, film | T, films, films | F,
-                                 films | T, S, S | F, S | T, S | film, S | film | F, S | film | T,
-                                 S | films, S | films | F, S | films | T>();
+    return std::integer_sequence<unsigned, 0, F, T, film, film | F, film | T, no_roll, no_roll | F,
+                                 no_roll | T, films, films | F, films | T, S, S | F, S | T,
+                                 S | film, S | film | F, S | film | T, S | no_roll, S | no_roll | F,
+                                 S | no_roll | T, S | films, S | films | F, S | films | T>();
   else
     return with_extensions<X>(
         std::integer_sequence<unsigned, 0, F, film, film | F, films, films | F, S, S | F, S | film,

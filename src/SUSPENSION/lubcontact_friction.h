@@ -7,7 +7,7 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Load that a contact needs before it rubs: critical-load laws of friction.
+// Load that a contact needs before it is frictional: critical-load laws of friction.
 //   step   mu N from N = F* on, none below    J. Dong, thesis, Lund (2020), eq. 3.25
 //   shift  mu (N - F*), not below 0           R. Seto, R. Mari, J.F. Morris, M.M. Denn, Phys. Rev.
 //                                             Lett. 111, 218301 (2013)

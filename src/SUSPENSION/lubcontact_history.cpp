@@ -70,12 +70,13 @@ void LubcontactHistory::require(Pair *owner, const Form &needed)
   form = needed;
   if (fix && modify->get_fix_by_id(history_id) != fix)
     error->all(FLERR,
-               "Fix {} of pair style lubcontact is gone: load the plugin and give pair_style and "
-               "pair_coeff again",
+               "Fix {} of pair style lubcontact has been deleted: load the plugin and give "
+               "pair_style and pair_coeff again",
                history_id);
   if (fix && fix->get_dnum() != form.size) {
     if (comm->me == 0)
-      error->warning(FLERR, "Pair style lubcontact now has other effects: its history is dropped");
+      error->warning(FLERR,
+                     "Pair style lubcontact has different effects now: its history is deleted");
     place = dynamic_cast<FixNeighHistoryPlace *>(
         modify->replace_fix(history_id, dummy_id + " all NEIGH_HISTORY/LUBCONTACT/PLACE", 1));
     fix = nullptr;

@@ -149,7 +149,7 @@ class MaterialParser {
 
   void pair(const Words &words)
   {
-    if (words.size() < 4) return fail("expected pair NAME NAME and what is special about them");
+    if (words.size() < 4) return fail("expected pair NAME NAME and their special values");
     for (std::size_t m = 1; m < 3; m++)
       if (!file.find(words[m])) return fail("there is no material " + words[m] + " above");
     if (words[1] == words[2]) return fail("pair needs two different materials");

@@ -128,8 +128,8 @@ std::string MaterialCommand::read(int iarg) const
   MPI_Bcast(&length, 1, MPI_INT, 0, world);
   if (length < 0)
     error->all(FLERR, at(iarg),
-               "Cannot open {}: neither a number (stiffness g of pair style lubcontact) nor a file "
-               "of materials in this folder or in one of LAMMPS_POTENTIALS",
+               "Cannot open {}: neither a number (stiffness g of pair style lubcontact) nor a "
+               "materials file in the current folder or in LAMMPS_POTENTIALS",
                arg[iarg]);
   text.resize(length);
   MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
@@ -147,12 +147,11 @@ MaterialFile MaterialCommand::parse(const std::string &text) const
     return found == words.end() || found + 1 == words.end() ? std::string() : *(found + 1);
   };
   if (tag("UNITS:") != "si")
-    error->all(FLERR, at(2),
-               "File of materials {} must have UNITS: si in its first line, but has {}", arg[2],
-               tag("UNITS:").empty() ? "none" : tag("UNITS:"));
+    error->all(FLERR, at(2), "Materials file {} must have UNITS: si in its first line, but has {}",
+               arg[2], tag("UNITS:").empty() ? "none" : tag("UNITS:"));
   const MaterialFile file = Lubcontact_NS::MaterialParser::parse(text);
   if (!file.error.empty())
-    error->all(FLERR, at(2), "File of materials {}, line {}: {}", arg[2], file.line, file.error);
+    error->all(FLERR, at(2), "Materials file {}, line {}: {}", arg[2], file.line, file.error);
   const std::string date = tag("DATE:");
   if (comm->me == 0)
     utils::logmesg(lmp, "Reading materials file {}{}\n", arg[2],
@@ -183,7 +182,8 @@ void MaterialCommand::materials(const MaterialFile &file, std::vector<Type> &typ
   if (std::none_of(types.begin(), types.end(), [](const Type &t) {
         return t.material;
       }))
-    error->all(FLERR, at(3), "Pair_coeff gives nothing: NULL stands for all {} atom types", ntypes);
+    error->all(FLERR, at(3), "Pair_coeff sets no coefficients: NULL stands for all {} atom types",
+               ntypes);
 }
 
 /* ----------------------------------------------------------------------
@@ -412,7 +412,7 @@ std::vector<TypePair> LAMMPS_NS::read_materials(LAMMPS *lmp, int narg, char **ar
       for (const char *needed : {"roughness", "friction"})
         if (!words.has(needed))
           error->all(FLERR, command.at(2 + j),
-                     "File of materials {} knows no {} of {} on {}: add {} to the command", arg[2],
+                     "Materials file {} has no {} for {} with {}: add {} to the command", arg[2],
                      needed, one.material->name, other.material->name, needed);
       if (j <= SHOWN_TYPES)
         text += fmt::format("  types {} {}      g {} kt {}\n", i, j, short_number(words.all[0]),

@@ -145,7 +145,7 @@ bool LubcontactPairs::find_entry(int i, int j, Entry &entry) const
   if (force->newton_pair && !excluded(i, j))
     error->one(FLERR,
                "The history of the pair of atoms {} and {} is on another rank, where the compute "
-               "that asks for it does not look: use atom_modify map yes on one rank, or newton off",
+               "cannot access it: use atom_modify map yes on one rank, or newton off",
                atom->tag[i], atom->tag[j]);
   return false;
 }

@@ -55,7 +55,7 @@ static std::string particle_line(const LubcontactRun &run)
       ? std::string("none yet")
       : fmt::format("{}, radius {:.6g} to {:.6g}, mean {:.6g}, {:.6g} pairs in range", p.number,
                     p.smallest, p.largest, p.mean, run.pairs);
-  return fmt::format("  particles      {}, {} doubles of history a pair\n", text, run.history);
+  return fmt::format("  particles      {}, {} history values per pair\n", text, run.history);
 }
 
 static std::string type_lines(const Law &law)
@@ -68,7 +68,7 @@ static std::string type_lines(const Law &law)
       if (c.g == 0.0) continue;
       const bool acts = c.friction == 0.0 || can_touch(law.settings, c);
       text += fmt::format("  types {} {}      g {:.6g} kt {:.6g} {}{}\n", i, j, c.g, c.kt,
-                          surface_words(c), acts ? "" : ": smooth, does not rub");
+                          surface_words(c), acts ? "" : ": smooth, without friction");
     }
   if (shown < law.types) text += "  further types: see write_data pair ij\n";
   return text;

@@ -206,8 +206,8 @@ TypeCoeffs CoeffParser::parse(double reach) const
   }
   if (c.adhesion_a > 0.0 && c.roughness_a == 0.0)
     error->all(FLERR, place_of(input, adhesion_word),
-               "Pair style lubcontact adhesion is of asperities, but these types have none: give "
-               "them a roughness > 0{}",
+               "Pair style lubcontact adhesion acts between asperities, but these types have none: "
+               "give them a roughness > 0{}",
                origin);
   return c;
 }
@@ -228,7 +228,7 @@ void LubcontactTypeCoeffs::mix(int i, int j)
   if (!laws_agree(one, other))
     error->all(FLERR,
                "Types {} and {} of pair style lubcontact have different laws of friction, {} and "
-               "{}: say with pair_coeff {} {} which one acts between them",
+               "{}: choose one with pair_coeff {} {}",
                i, j, FRICTION_NAME[friction_law[i][i]], FRICTION_NAME[friction_law[j][j]], i, j);
   put(i, j, mixed(one, other));
 }
@@ -245,7 +245,7 @@ void LubcontactTypeCoeffs::check(int i, int j, const Settings &s) const
     values += fmt::format(" {} {}", column.name, c.*column.value);
   }
   if (!allowed)
-    error->all(FLERR, "Pair style lubcontact coefficients of types {} {} left their range:{}", i, j,
+    error->all(FLERR, "Pair style lubcontact coefficients of types {} {} are out of range:{}", i, j,
                values);
   const std::string wrong = complaint(c);
   if (!wrong.empty()) error->all(FLERR, "Pair style lubcontact types {} {}: {}", i, j, wrong);

@@ -168,8 +168,8 @@ void PairLubcontact::init_style()
                "made: newton off");
   if (update->whichflag == 2 && size)
     error->all(FLERR,
-               "Pair style lubcontact can be minimized only as frictionless elastic contact; use: "
-               "squeeze no shear no roll no twist no, friction none, and no adhesion");
+               "Pair style lubcontact supports minimization only for frictionless elastic contact; "
+               "use: squeeze no shear no roll no twist no, friction none, and no adhesion");
 
   neighbor->add_request(this, NeighConst::REQ_DEFAULT | (size ? NeighConst::REQ_HISTORY : 0));
   pairs->history().require(this, instance->history);

@@ -208,8 +208,8 @@ static std::string read_bytes(FILE *fp, LAMMPS *lmp)
   MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
   if (length < 0)
     lmp->error->all(FLERR,
-                    "The part of pair style lubcontact in the restart file is damaged, or another "
-                    "version of the package has written it: use another restart file");
+                    "The part of pair style lubcontact in the restart file is damaged, or was "
+                    "written by another version of the package: use another restart file");
   bytes.resize(length);
   MPI_Bcast(&bytes[0], length, MPI_CHAR, 0, lmp->world);
   return bytes;

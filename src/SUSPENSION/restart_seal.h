@@ -74,9 +74,8 @@ template <class State> const char *read_sealed(const char *buffer, State &state)
   Sealed<State> record;
   std::memcpy(&record.head, buffer, sizeof(record.head));
   if (record.head != record.HEAD)
-    return "is damaged, or of another version of the package: use another file, or go on from a "
-           "data "
-           "file that the version writes which made this one";
+    return "is damaged, or was written by another version of the package: use another file, or "
+           "continue from a data file written by that version";
   std::memcpy(&record, buffer, sizeof(record));
   if (seal(&record.state, sizeof(State)) != record.sum) return "is damaged: use another one";
   state = record.state;

@@ -17,7 +17,7 @@ using namespace LAMMPS_NS;
 
 static constexpr double SPHERE = 0.4;    // moment of inertia over m R^2
 
-// fix nve/sphere does not tell but its children
+// the member of fix nve/sphere is protected; a derived class may read it
 struct MomentOfInertia : FixNVESphere {
   static double of(FixNVESphere *fix) { return fix->*&MomentOfInertia::inertia; }
 };

@@ -83,7 +83,7 @@ TEST(MaterialFile, EachErrorHasItsLine)
 TEST(MaterialFile, ErrorsOfPairsHaveTheirLineToo)
 {
   const std::string two = GLASS + "material B\nmodulus 1\npoisson 0\n";
-  expect_error(two + "pair Glass B\n", "expected pair NAME NAME and what is special about them", 8);
+  expect_error(two + "pair Glass B\n", "expected pair NAME NAME and their special values", 8);
   expect_error(two + "pair Glass C friction none\n", "there is no material C above", 8);
   expect_error(two + "pair B B friction none\n", "pair needs two different materials", 8);
   expect_error(two + "pair Glass B modulus 3\n", "unknown property modulus", 8);

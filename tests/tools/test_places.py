@@ -105,7 +105,7 @@ def main():
         good = abs(got - force) < 1e-9    # and a film of next to no viscosity
         failed = failed or not good
         print(f"{name}: expected {force} got {got} {'ok' if good else 'WRONG'}")
-    for what, there in (("table of the run", "  dummy          yes" in text), ("history of a pair, of the films", "10 doubles of history" in text),
+    for what, there in (("table of the run", "  dummy          yes" in text), ("history of a pair, of the films", "10 history values per pair" in text),
                         ("data file", " dummy 7" in (work / "out.data").read_text())):
         failed = failed or not there
         print(f"{what}: {'ok' if there else 'MISSING'}")

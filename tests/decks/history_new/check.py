@@ -44,7 +44,7 @@ for g in (1e4, 1e6):
 run = deck.run("in.hybrid")
 deck.run("in.hybrid", first="no")
 swapped = deck.run("in.hybrid", first="no", one=2, two=1, fails=True).text
-deck.expect_error("sub-styles in another order", swapped, "belong to no pair of this pair style lubcontact")
+deck.expect_error("sub-styles in another order", swapped, "do not belong to any pair of this pair style lubcontact")
 for words, message in (("", "takes two words, but has 0"), ("lose all", "Unknown word lose"), ("forget nobody", "does not exist")):
     text = deck.run("in.words", words=words, fails=True).text
     deck.expect_error(words, text, message)

@@ -21,11 +21,11 @@ CASES = [    # arguments, message, underlined word or None
     ("angle 12 band 1.5", "band must be in (0, 1], but is 1.5", "1.5"),
     ("sphere 12", "missing argument", None),
     ("sphere 12 0", "number of bins must be >= 1, but is 0", "0"),
-    ("sphere 6 12 band 0.3", "needs mode angle and three dimensions", "band"),
+    ("sphere 6 12 band 0.3", "needs mode angle and a 3d system", "band"),
 ]
 FLAT = [
     ("sphere 6 12", "needs three dimensions; use: angle 12 in 2d", "sphere"),
-    ("angle 12 band 0.3", "needs mode angle and three dimensions", "band"),
+    ("angle 12 band 0.3", "needs mode angle and a 3d system", "band"),
     ("angle 12 plane xz", "plane must be xy in 2d, but is xz", "xz"),
 ]
 TEMPLATE = (deck.CASE / "in.refused").read_text()

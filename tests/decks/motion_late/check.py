@@ -10,6 +10,7 @@ POUR = "fix pour all pour 4 1 4711 region top diam one 2 dens 1 1 vol 0.2 100"
 DEPOSIT = "fix in all deposit 4 1 1 4711 region top"
 PUSH = "fix push all addforce 1 0 0"
 WET, ENTER = "group wet dynamic all region left every 1", "velocity all set -1 0 0"
+BOTH_MOVE = "Fix move nve/sphere and fix overdamped/sphere both move"
 INSERTED, JOINED = "particles inserted by fix pour", "a particle new in its group"
 LATE = [    # lines, particles at the start, message
     ([MOVE, FALL, POUR, D + " 1", PUSH], 0, f"the drag of {INSERTED}: define fix d after fix push"),
@@ -18,15 +19,15 @@ LATE = [    # lines, particles at the start, message
     (["group wet empty", MOVE, FALL, "fix d wet drag/background 1", "fix push wet addforce 1 0 0", POUR.replace("all", "wet")], 0,
      "define fix d after fix push"),
     ([MOVE, D + " 1", PUSH, DEPOSIT], 0, "particles inserted by fix in: define fix d after fix push"),
-    ([MOVE, FALL, POUR, D + " 1", "fix e all drag/background 2"], 0, f"Fixes d and e both drag the same particles, {INSERTED}"),
-    ([FALL, POUR, O + " 1", MOVE], 0, f"Fix move nve/sphere moves {INSERTED} that fix overdamped/sphere moves, too"),
+    ([MOVE, FALL, POUR, D + " 1", "fix e all drag/background 2"], 0, f"Fixes d and e both act on the same particles, {INSERTED}"),
+    ([FALL, POUR, O + " 1", MOVE], 0, f"{BOTH_MOVE} {INSERTED}"),
     ([FALL, POUR, D + " 1", O + " 1"], 0, f"acts on {INSERTED} of fix o"),
-    ([WET, "fix o wet overdamped/sphere 1", MOVE], 2, f"Fix move nve/sphere moves {JOINED}"),
+    ([WET, "fix o wet overdamped/sphere 1", MOVE], 2, f"{BOTH_MOVE} {JOINED}"),
     ([WET, MOVE, "fix d wet drag/background 1", PUSH], 2, f"the drag of {JOINED}: define fix d after fix push"),
     ([WET, MOVE, D + " 1", "fix push wet addforce 1 0 0"], 2, f"the drag of {JOINED}: define fix d after fix push"),
     # at the start the second particle is not in it
     ([WET, ENTER, "group two id 2", MOVE, "fix d wet drag/background 0", "fix push two addforce 1e-9 0 0"], 2, f"the drag of {JOINED}"),
-    ([WET, ENTER, "group two id 2", "fix move two nve/sphere", "fix o wet overdamped/sphere 1"], 2, f"Fix move nve/sphere moves {JOINED}"),
+    ([WET, ENTER, "group two id 2", "fix move two nve/sphere", "fix o wet overdamped/sphere 1"], 2, f"{BOTH_MOVE} {JOINED}"),
 ]
 FINE = [    # the right order; groups that nothing joins
     ([MOVE, FALL, POUR, D + " 1"], 0),

@@ -39,12 +39,13 @@ CASES = [    # lines in place of the fix, message, underlined word or None
     (P + " damper -3 load 1", "damper must be >= 0, but is -3", "-3"),
     (P + " drag 3 rate 1", "drag cannot act without stress", "drag"),
     (P + " drag -3 stress 1", "drag must be >= 0, but is -3", "-3"),
-    ("fix p all rheometer/plates lower upper", "group all holds 2 particles of the plates; use the group of the particles between them",
+    ("fix p all rheometer/plates lower upper", "group all contains 2 particles of the plates; use the group of the particles between them",
      None),
     (STYLE + " upper lower", "must be above that of the lower plate", None),
     ("group none empty\n" + STYLE + " lower none", "group none of the upper plate is empty", None),
     ("group two id 1 2\n" + STYLE + " lower two", "1 particles are in both plates", None),
-    (P + "\nfix m all nve/sphere", "Fix m nve/sphere moves 2 particles of the plates", None),
+    (P + "\nfix m all nve/sphere", "Fix m nve/sphere moves 2 particles of the plates, which are moved by fix "
+     "rheometer/plates; use group between for fix m", None),
     (P + "\nfix q between rheometer/plates lower upper", "moves 2 particles of the plates", None),
     ("create_atoms 1 single 2 1 2\ngroup lower id 1 4\nset group all diameter 2\n" + P,
      "add: neigh_modify exclude group lower lower", None),
@@ -63,7 +64,7 @@ CASES = [    # lines in place of the fix, message, underlined word or None
     (P + "\nfix_modify p ratio 1", "does not support fix_modify ratio", None),
     (P + " iv 0.1 pressure 1\nfix_modify p gap", "gap cannot act without another drive than iv", "gap"),
     (P + " pressure 1\ndelete_atoms group between", "group between of the suspended particles is empty", None),
-    (P + " load 1e3\ntimestep 1e-1\ndelete_atoms group between\nrun 2000", "the plates have met at step", None),
+    (P + " load 1e3\ntimestep 1e-1\ndelete_atoms group between\nrun 2000", "the plates touch each other at step", None),
     (P + " pressure 1\npair_style zero 2\npair_coeff * *\ntimestep 1e-2\npair_style lubcontact v_eta cut 0.5\npair_coeff * * 1 1",
      "in the pair style: the viscosity of pair style lubcontact is a variable; add: viscosity eta", None),
 ]
@@ -81,11 +82,11 @@ def run(boundary="p m p", atoms="sphere", fix=P, fails=True):
 for fix, message, word in CASES:
     deck.expect_error(fix.replace("\n", "; "), run(fix=fix), message, word)
 deck.expect_error("periodic along y", run(boundary="p p p"), "would meet across the periodic boundary along y; use: boundary p m p")
-deck.expect_error("not periodic along x", run(boundary="f m p"), "plates are endless along x and z; use: boundary p m p")
-deck.expect_error("not periodic along z", run(boundary="p m f"), "plates are endless along x and z; use: boundary p m p")
+deck.expect_error("not periodic along x", run(boundary="f m p"), "plates must be periodic along x and z; use: boundary p m p")
+deck.expect_error("not periodic along z", run(boundary="p m f"), "plates must be periodic along x and z; use: boundary p m p")
 deck.expect_error("points", run(atoms="atomic"), "use: atom_style sphere")
 text = run(fix=P + " load 1e-3 mass 1e-4\ntimestep 1e-3", fails=False)
-deck.expect("a light plate warns", "where a plate of mass 0.0001 becomes unstable" in text)
+deck.expect("a light plate warns", "where a plate of mass 0.0001 is unstable" in text)
 text = run(fix=P + " rate 1 pressure 5 gain 2\nfix_modify p load 3 mass 2 virial no", fails=False)
 deck.expect("good arguments do not warn", "rheometer/plates" not in text.split("Setting up Verlet")[-1])
 deck.finish()

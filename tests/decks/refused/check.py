@@ -51,7 +51,7 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"coeff": COEFF + " repulsion 1"}, "missing argument: lambda; write: repulsion F0 lambda", None),
     ({"coeff": COEFF + " friction coulomb 0.5"}, "friction cannot act: surfaces of roughness 0 never touch through a squeeze film; "
      "give pair_coeff a roughness > 0, or no friction", None),
-    ({"coeff": COEFF + " friction coulomb 0.5", "extra": "minimize 0 0 10 10"}, "can be minimized only", None),
+    ({"coeff": COEFF + " friction coulomb 0.5", "extra": "minimize 0 0 10 10"}, "supports minimization only", None),
     ({"coeff": "1 1 1e4 5e3 friction coulomb 0.5\npair_coeff 2 2 1e4 5e3 friction clm step 0.1 1\npair_coeff 1 2 1e4 5e3"},
      "friction cannot act", None),
     ({"coeff": "1 1 1e4 5e3 friction coulomb 0.5\npair_coeff 2 2 1e4 5e3 friction coulomb 0.1"}, "friction cannot act", None),    # mixed
@@ -61,8 +61,8 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"coeff": COEFF + " repulsion -1 0.1"}, "repulsion must be >= 0, but is -1", "-1"),
     ({"coeff": COEFF + " repulsion 1 0"}, "screening length must be > 0, but is 0", "0"),
     ({"coeff": "1 1 1e4 5e3 friction coulomb 0.5\npair_coeff 2 2 1e4 5e3 friction clm step 0.5 1"},
-     "Types 1 and 2 of pair style lubcontact have different laws of friction, coulomb and clm step: say with pair_coeff "
-     "1 2 which one acts between them", None),
+     "Types 1 and 2 of pair style lubcontact have different laws of friction, coulomb and clm step: choose one with pair_coeff "
+     "1 2", None),
     ({"extra": "variable f equal 1\nfix a all adapt 1 pair lubcontact friction * * v_f"},
      "give pair_coeff friction coulomb 0 first", None),
     ({"coeff": COEFF + " friction coulomb 0.5", "extra": "variable f equal 1\nfix a all adapt 1 pair lubcontact critical * * v_f"},
@@ -70,9 +70,9 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"extra": "variable f equal 1\nfix a all adapt 1 pair lubcontact repulsion * * v_f"},
      "give pair_coeff repulsion 0 with a screening length first", None),
     ({"coeff": COEFF + " repulsion 1 0.1", "extra": "variable f equal -1\nfix a all adapt 1 pair lubcontact repulsion * * v_f"},
-     "left their range", None),
+     "are out of range", None),
     ({"coeff": COEFF + " roughness 0.01 adhesion 0.01", "extra": "variable f equal 0\nfix a all adapt 1 pair lubcontact roughness * * v_f"},
-     "types 1 1: adhesion is of asperities, but their roughness is 0: give them one > 0", None),
+     "types 1 1: adhesion acts between asperities, but their roughness is 0: give them one > 0", None),
     ({"style": "lubcontact 0 cut 0.5 squeeze no shear no roll no twist no", "coeff": COEFF + " roughness 0.01 adhesion 0.01",
       "extra": "minimize 0 0 10 10"}, "and no adhesion", None),
     ({"coeff": COEFF + " rougness 0.1"}, "Unknown pair_coeff lubcontact keyword: rougness", "rougness"),
@@ -81,7 +81,7 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"atoms": "atomic"}, "use: atom_style sphere", None),
     ({"length": 4.9}, "enlarge the box, replicate it, or shorten the range", None),
     ({"overlap": 0.8}, "overlap by 1.2 effective radii", None),
-    ({"extra": "minimize 0 0 10 10"}, "can be minimized only as frictionless elastic contact", None),
+    ({"extra": "minimize 0 0 10 10"}, "supports minimization only for frictionless elastic contact", None),
     ({"extra": "compute s all stress/partition now"}, "Unknown compute stress/partition argument: now", "now"),
     ({"extra": "group one id 1\ncompute s one stress/partition"}, "use group all instead of one", "one"),
     ({"style": "zero 2.0", "coeff": "* *", "extra": "compute s all stress/partition"},
@@ -122,13 +122,13 @@ for variables, message, word in CASES:
 
 for more, warned in (" asperity 2e4", True), (" asperity 1e4", False), (" asperity 2e4 roughness 0.01", False):
     text = run({"coeff": COEFF + more}, fails=False)
-    deck.expect(f"warning of{more}: {warned}", ("asperity does nothing: it is the stiffness of asperities, but the roughness is 0" in text) == warned)
+    deck.expect(f"warning of{more}: {warned}", ("asperity has no effect because the roughness is 0" in text) == warned)
 text = run({"coeff": "* * 1e12 1e12"}, fails=False)
 deck.expect("a time step over the limit warns", "stability limit of the contact springs" in text)
 text = run({"style": "lubcontact 1.0 default roll no"}, fails=False)
 deck.expect("the default range is told", "range          cut 0.5 effective radii" in text and "rolling film   no" in text)
 for length, warned in (0.07, False), (0.08, True):    # exp(-0.5/length) against 1e-3
     text = run({"coeff": f"* * 1e4 5e3 repulsion 1 {length}"}, fails=False)
-    deck.expect(f"repulsion of length {length} warns: {warned}", ("where it jumps: extend the range" in text) == warned)
+    deck.expect(f"repulsion of length {length} warns: {warned}", ("where it drops to zero: extend the range" in text) == warned)
 deck.expect("the table is printed once", text.count("what this run simulates") == 1)
 deck.finish()

@@ -66,7 +66,7 @@ def affine(name, h, rate):
 
 def cloud(what, dim=3, members=1000, **variables):
     run = deck.run("in.cloud", dim=dim, members=members, **variables)
-    deck.expect(f"{what}: warnings", run.text.count("cannot be reached in this scene") == ("cannot" in what))
+    deck.expect(f"{what}: warnings", run.text.count("this system cannot reach it") == ("cannot" in what))
     tables = run.tables()
     h = edges(tables[-1])
     rate = (h[1] - h[0]) / DT

@@ -30,7 +30,7 @@ same("rerun", frames[1], frames[0])
 for column, value in ((1, 0), (2, 1), (8, 0)):
     deck.expect_close(f"rerun: the flow stays as it is, {column}", frames[0][f"f_flow[{column}]"], value)
 
-LONG, OVERWRITES = "more than half the lag of the servos", "overwrites the velocities of the flow"
+LONG, OVERWRITES = "exceeds half the time lag of the servos", "overwrites the velocities of the flow"
 run = deck.run("in.minimize")
 first, relaxed, second = run.tables()
 deck.expect("no warning", LONG not in run.text and OVERWRITES not in run.text)

@@ -51,5 +51,5 @@ deck.expect("judged in the same step", tables[1]["f_rheometer[10]"][1] == 1 and 
             and np.array_equal(tables[0]["f_rheometer[10]"][-300:], tables[1]["f_rheometer[10]"][-300:]))
 
 text = deck.run("in.restarted", grid=GRID, flow="planar", fails=True).text
-deck.expect("another flow than in the file is refused", "restart file with another flow" in text)
+deck.expect("another flow than in the file is refused", "restart file that was written with a different flow" in text)
 deck.finish()

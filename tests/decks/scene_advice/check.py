@@ -15,10 +15,10 @@ class Advice:
     def __init__(self, name="in.scene_advice", **variables):
         run = deck.run(name, **variables)
         self.text, self.values = run.text, run.values
-        self.text = self.text[max(self.text.find("Suspension scene: what is there"), self.text.find("Which effects")
+        self.text = self.text[max(self.text.find("Suspension scene: what is there"), self.text.find("Effects that")
                                  if variables.get("words") == "brief" else 0):]
         self.answers = {e: re.search(rf"^  {e} +({ANSWERS}) ", self.text, re.MULTILINE).group(1) for e in EFFECTS}
-        self.lines = self.text[self.text.index("eck lines"):]
+        self.lines = self.text[self.text.index("nput lines"):]
 
     def number(self, name):
         value = re.search(rf"^  {re.escape(name)}.*? (\S+)$", self.text, re.MULTILINE).group(1)
@@ -58,7 +58,7 @@ scene.expect("dense", squeeze_film="needed", shear_film="needed", rolling_film="
              friction="needed", critical_load="cannot tell", drag="not needed", particle_inertia="not needed", roughness="needed",
              Brownian_motion="cannot tell", far_hydrodynamics="not needed", fluid_inertia="cannot tell")
 scene.warns("dense", "box is small")
-deck.expect("dense: deck lines", "  pair_style lubcontact 1 cut 0.5 twist no\n  pair_coeff * * 1000000 1000000 asperity 1000000 roughness 0.01 "
+deck.expect("dense: input lines", "  pair_style lubcontact 1 cut 0.5 twist no\n  pair_coeff * * 1000000 1000000 asperity 1000000 roughness 0.01 "
             "friction coulomb 0.5\n" in scene.lines, scene.lines)
 # Gershgorin with 12 neighbors of the smallest sphere
 limit = 2 / np.sqrt(2 * 12 * 3.5e6 / (4 / 3 * np.pi * radii.min()**3 * 0.05))
@@ -112,7 +112,7 @@ deck.expect("a film that is off", "pair_style lubcontact 1 cut 0.5 twist no\n" i
 
 # short
 scene = Advice(words="brief")
-deck.expect("brief: verdicts, warnings, lines", len(scene.answers) == len(EFFECTS) and "Deck lines to use" in scene.text and
+deck.expect("brief: verdicts, warnings, lines", len(scene.answers) == len(EFFECTS) and "Input lines to use" in scene.text and
             "what is there" not in scene.text and "Dimensionless" not in scene.text)
 
 # the same at an imposed pressure, viscous number, and with a temperature: kT = T in these units
@@ -149,24 +149,24 @@ for name, value in (("Stokes' velocity", speed), ("with buoyancy", 0.6 * speed),
     deck.expect_close(f"falling: {name}", scene.number(name), value, rtol=6e-3)
 scene.expect("falling", squeeze_film="needed", shear_film="cannot tell", friction="cannot tell", drag="needed", particle_inertia="cannot tell",
              far_hydrodynamics="accuracy limited", fluid_inertia="not needed", elastic_compliance="cannot tell")
-deck.expect("falling: no lines", "No deck lines: this scene is not sheared" in scene.text and "pair_style" not in scene.text)
+deck.expect("falling: no lines", "No input lines: the system is not sheared" in scene.text and "pair_style" not in scene.text)
 deck.expect("falling: what gravity is", "gravity 9.81 (fix pull)" in scene.text and "of the whole box" in scene.text)
 scene = Advice(flow=f'if "1 == 1" then "fix flow all deform/rheometer rate 1.0 volume" "{GRAVITY}"')
 scene.warns("falling and sheared", "box is small", "what gravity does (fix pull) is in none of them")
 scene = Advice(flow="print none")
-deck.expect("no flow: no lines", "No deck lines: what may be left out was measured in shear" in scene.text)
+deck.expect("no flow: no lines", "No input lines: what may be left out was measured in shear" in scene.text)
 
 # dry grains
 scene = Advice(viscosity=0.0, flow="fix flow all deform/rheometer rate 1.0 pressure 100 viscosity 0")
 scene.expect("dry", squeeze_film="not needed", shear_film="not needed", rolling_film="not needed", twisting_film="not needed",
              friction="needed", particle_inertia="needed", roughness="not needed", drag="not needed")
-deck.expect("dry: deck lines", "pair_style lubcontact 0 cut 0.5 squeeze no shear no roll no twist no\n" in scene.lines, scene.lines)
+deck.expect("dry: input lines", "pair_style lubcontact 0 cut 0.5 squeeze no shear no roll no twist no\n" in scene.lines, scene.lines)
 
 # dilute
 scene = Advice(scale=1.4)
 scene.expect("dilute", drag="needed", far_hydrodynamics="beyond this package", friction="not needed")
 deck.expect_close("dilute: phi", float(re.search(r"phi (\S+), N", scene.text).group(1)), phi / 1.4**3, rtol=6e-3)
-deck.expect("dilute: deck lines", "fix drag all drag/background pair cell\n" in scene.lines and "roughness 0.01 friction none\n" in scene.lines,
+deck.expect("dilute: input lines", "fix drag all drag/background pair cell\n" in scene.lines and "roughness 0.01 friction none\n" in scene.lines,
             scene.lines)
 
 # between: the viscosity is too low, by what examples/shear_rate has measured at 0.40 and 0.30
@@ -205,12 +205,12 @@ deck.expect("fix deform variable: no rate yet", np.isnan(scene.number("St")))
 scene = Advice(style="zero", flow="print none", words="viscosity 2 rate 3 pressure 60 stiffness 1e7 roughness 0.01 friction 0.3")
 deck.expect_close("words: St", scene.number("St"), 0.075 * a**2, rtol=6e-3)
 deck.expect_close("words: Iv", scene.number("Iv ="), 0.1, rtol=6e-3)
-deck.expect("words: deck lines", "  pair_style lubcontact 2 cut 0.5 twist no\n" in scene.lines, scene.lines)
+deck.expect("words: input lines", "  pair_style lubcontact 2 cut 0.5 twist no\n" in scene.lines, scene.lines)
 
 scene = Advice(style="zero", flow="print none", words="viscosity 2 rate 3 pressure 60 stiffness 1e7 roughness 0.01 friction 0.3 "
                "critical 100 adhesion 200 repulsion 300 0.02")
 found = re.search(r"roughness 0.01 friction clm step 0.3 100 adhesion (\S+) repulsion 300 0.02$", scene.lines, re.MULTILINE)
-deck.expect_close("words: laws in the deck lines", float(found.group(1)), 200 / (1e7 * a), rtol=1e-6)
+deck.expect_close("words: laws in the input lines", float(found.group(1)), 200 / (1e7 * a), rtol=1e-6)
 
 # units in which pressure, energy and mass need factors: kcal/mol/A^3 to atm, (g/mol)(A/fs)^2 to kcal/mol, K to kcal/mol
 scene = Advice(units="real", style="zero", flow="print none", density=3.0, words="viscosity 2 rate 3e-2 pressure 60 stiffness 1e7 "

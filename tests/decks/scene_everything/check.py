@@ -62,7 +62,7 @@ def changes_nothing(name, **variables):
 
 
 def advice(text):
-    return text[text.index("Deck lines to use"):]
+    return text[text.index("Input lines to use"):]
 
 
 def lacks(text, effect):

@@ -61,7 +61,7 @@ for name, case in cases:
     deck.expect_close(f"{name}: pressure of the copy", float(shown.group(2)), pressure, rtol=1e-5)
     for effect, column in (("friction", 2), ("shear", 3), ("squeeze", 4)):
         deck.expect_close(f"{name}: part of {effect}", numbers(text, effect)[0], 100 * plain[:, column].mean() / sxy, atol=0.051)
-    deck.expect(f"{name}: twisting may go", "twist no" in re.search(r"Deck lines to use: changes.*\n(.*)", text).group(1))
+    deck.expect(f"{name}: twisting may go", "twist no" in re.search(r"Input lines to use: changes.*\n(.*)", text).group(1))
 
     # so does that without friction, which a running LAMMPS can leave out, too
     if name != "pressed":

@@ -41,23 +41,23 @@ CASES = [    # lines, message, underlined word or None
     ("suspension_scene measure 10", "needs a flow: fix deform/rheometer, or fix deform of xy with remap v", None),
     ("fix shear all deform 1 xy erate 1.0\nsuspension_scene measure 10", "cannot copy fix shear of style deform", None),
     (SHEAR + "variable u atom y\nfix d all drag/background 1 velocity v_u 0 0\nrun 0\nsuspension_scene measure 10",
-     "cannot copy fix d: variable u is atom-style; the advice without the word measure", None),
+     "cannot copy fix d: variable u is atom-style; suspension_scene without measure works", None),
     (SHEAR + "variable u equal 1.0\nfix d all drag/background v_u cell\nsuspension_scene measure 10",
      "cannot copy fix d: variable u has no value before the first run; add run 0", None),
     (SHEAR + "group now dynamic all every 1\nfix d now drag/background 1\nsuspension_scene measure 10",
-     "cannot copy the dynamic group now of fix d; the advice without", None),
-    (SHEAR + HYBRID + "suspension_scene measure 10", "lubcontact alone, but the pair style is hybrid; the advice without", None),
-    (PLATES + "suspension_scene measure 10", "works in periodic cells and cannot copy the plates of fix cell; the advice without", None),
-    (GRAVITY + "suspension_scene measure 10", "copies sheared suspensions with nothing else that acts, but cannot copy fix pull of style gravity: "
-     "unfix it if it does not matter; the advice without the word measure works here, too; or compare two runs of your own", None),
+     "cannot copy the dynamic group now of fix d; suspension_scene without measure works", None),
+    (SHEAR + HYBRID + "suspension_scene measure 10", "lubcontact alone, but the pair style is hybrid; suspension_scene without measure works", None),
+    (PLATES + "suspension_scene measure 10", "works in periodic cells and cannot copy the plates of fix cell; suspension_scene without measure works", None),
+    (GRAVITY + "suspension_scene measure 10", "supports only sheared suspensions without other forces and cannot copy fix pull of style gravity: "
+     "unfix it if it does not matter; suspension_scene without measure works; or compare two runs of your own", None),
     *((SHEAR + f"fix other all {style}\nsuspension_scene measure 10", f"cannot copy fix other of style {style.split()[0]}: unfix it", None)
       for style in ("addforce 0 1 0", "wall/lj93 ylo EDGE 1 1 1 pbc yes", "adapt 1 pair lubcontact friction * * v_one")),
     (SHEAR + "neigh_modify once yes exclude type 1 1\ngroup some id <= 100\natom_modify first some\nneigh_modify include some\n"
      "comm_modify group some\npair_modify compute no\nrun_style respa 2 2\nsuspension_scene measure 10",
      "measure cannot copy run_style respa, pair_modify compute no, neigh_modify exclude, neigh_modify include, neigh_modify once yes, "
-     "comm_modify group; the advice without", None),
-    (CHARGED + "suspension_scene measure 10", "what particles of atom_style hybrid sphere charge have beside those of atom_style sphere; the "
-     "advice without", None),
+     "comm_modify group; suspension_scene without measure works", None),
+    (CHARGED + "suspension_scene measure 10", "what particles of atom_style hybrid sphere charge have beside those of atom_style sphere; "
+     "suspension_scene without measure works", None),
     ("variable eta equal 1.0\npair_style lubcontact v_eta cut 0.5\npair_coeff * * 1e4 5e3 roughness 0.01\nfix shear all deform/rheometer rate 1.0 "
      "volume viscosity 1\nsuspension_scene measure 10", "does not know the viscosity of the pair style before the first run: add run 0", None),
     (SHEAR + "pair_style zero 3.0\npair_coeff * *\nsuspension_scene measure 10", "alone, but the pair style is zero", None),
@@ -77,11 +77,11 @@ def run(lines, fails):
 
 deck.make_state()
 if "LAMMPS (4 Feb 2025" in run("", fails=False):    # newer ones do not have these styles any more
-    CASES += [(SHEAR + f"{line}\nsuspension_scene measure 10", f"cannot copy {name}; the advice without", None)
+    CASES += [(SHEAR + f"{line}\nsuspension_scene measure 10", f"cannot copy {name}; suspension_scene without measure works", None)
               for line, name in (("neighbor 0.3 multi/old", "neighbor multi/old"),
                                  ("comm_modify mode multi/old", "comm_modify mode multi/old"))]
 for lines, message, word in CASES:
     deck.expect_error(lines.splitlines()[-1], run(lines, fails=True), message, word)
 text = run(GRAVITY + "suspension_scene", fails=False)
-deck.expect("the advice works with any fix", "Which effects this scene calls for" in text)
+deck.expect("the advice works with any fix", "Effects that this system needs" in text)
 deck.finish()

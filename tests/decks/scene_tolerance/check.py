@@ -1,4 +1,4 @@
-"""The promise of suspension_scene tolerance: its deck lines give the viscosity that it promises."""
+"""The error bound of suspension_scene tolerance: its input lines give the viscosity within it."""
 import csv
 import re
 import sys
@@ -23,7 +23,7 @@ def number(text, what):
 
 
 def proposed(text):
-    return [line for line in text[text.index("Deck lines to use\n"):].splitlines()[1:] if line.startswith("  ")]
+    return [line for line in text[text.index("Input lines to use\n"):].splitlines()[1:] if line.startswith("  ")]
 
 
 rows, _ = suspension_laws.read()
@@ -31,7 +31,7 @@ reference, doubt = suspension_laws.converged(rows)    # of the scene, from all r
 deck.expect("the reference is known five times better", doubt < 0.04, f"{reference:.2f} +- {100 * doubt:.1f} %")
 
 loose, tight, small, tiny, dry, smooth = advise("0.3", "0.2", "0.1", "1e-4", "0.2 viscosity 0", "0.1 friction 0.1")
-# a single run keeps the promise with 95 % only; the mean of two keeps it but for one in hundreds
+# a single run keeps the bound with 95 % only; the mean of two keeps it but for one in hundreds
 for text, tolerance, seeds in ((loose, 0.3, (11,)), (tight, 0.2, (11, 4711))):
     Path("proposed").write_text("\n".join(proposed(text)) + "\n", encoding="ascii")
     print("\n".join(proposed(text)))
@@ -66,9 +66,9 @@ for text, tolerance in ((loose, "30 %"), (tight, "20 %"), (small, "10 %")):
 costs = [number(text, "cost:") for text in (loose, tight, small)]
 deck.expect("a smaller tolerance costs more", costs == sorted(costs) and costs[-1] > 3 * costs[0], str(costs))
 for text in (loose, tight, small):
-    within, promised = (float(re.search(what + r" (\S+) %", text).group(1)) for what in ("within", "promised:"))
-    deck.expect("  promised is no more than asked", promised <= within, f"{promised} {within}")
-deck.expect("too small a tolerance is refused", "cannot promise it" in tiny, tiny)
+    within, bound = (float(re.search(what + r" (\S+) %", text).group(1)) for what in ("within", "error bound:"))
+    deck.expect("  the bound is no more than asked", bound <= within, f"{bound} {within}")
+deck.expect("too small a tolerance is refused", "cannot reach this tolerance: the smallest error bound is" in tiny, tiny)
 deck.expect("the model is not an experiment", "not known to be within 15 % of an experiment" in small and
             "experiment" not in tight)
 deck.expect("no fluid", "cannot tell: measured in a fluid only" in dry, dry)

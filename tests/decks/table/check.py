@@ -61,9 +61,10 @@ for variables, row, state in (
     (table,), _ = tables(**variables)
     deck.expect(f"{row}: {variables}", table[row] == state, table[row])
 
-# of two types one is smooth: they rub on each other, and the smooth ones not among themselves
+# of two types one is smooth: their contacts are frictional, those of the smooth ones among themselves are not
 rough, smooth = "1 1 1e4 5e3 roughness 0.01 friction coulomb 0.5", "2 2 1e4 5e3 friction coulomb 0.5"
 (table,), _ = tables(coeff=f"{rough}", more=f"pair_coeff {smooth}")
-deck.expect("rough on smooth rubs", table["friction"] == "yes" and not table["types 1 2"].endswith("rub"), table["types 1 2"])
-deck.expect("smooth on smooth does not", table["types 2 2"].endswith(": smooth, does not rub"), table["types 2 2"])
+deck.expect("rough on smooth is frictional", table["friction"] == "yes" and not table["types 1 2"].endswith("without friction"),
+            table["types 1 2"])
+deck.expect("smooth on smooth is not", table["types 2 2"].endswith(": smooth, without friction"), table["types 2 2"])
 deck.finish()

@@ -37,5 +37,5 @@ for fix in ("fix d all drag/background 1", "fix f all deform/rheometer rate 1 vo
             "fix f all deform/rheometer rate 1 pressure 1 start 1 viscosity 1"):
     deck.run("in.two", way="two", eta2="2.0", fix=fix)
 deck.expect_error("partners twice", deck.run("in.two", fails=True, way="overlay", fix="fix d all drag/background 1 isolated").text,
-                  "isolated would count the partners of types 1 2 2 times, once for each sub-style lubcontact")
+                  "isolated would count the partners of types 1 2 2 times, once for each sub-style lubcontact: assign these types to one")
 deck.finish()

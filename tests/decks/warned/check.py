@@ -16,7 +16,7 @@ def limit(text):
     return float(found.group(1)), float(found.group(2)), found.group(3)
 
 
-REMAP, TURN = "particles that cross its boundary keep their velocity: add to fix deform: remap v", "does not turn particles: use fix nve/sphere"
+REMAP, TURN = "particles that cross its boundary keep their velocity: add to fix deform: remap v", "does not rotate particles: use fix nve/sphere"
 text = log(more="fix shear all deform 1 xy erate 1")
 deck.expect("fix deform without remap v", REMAP in text)
 text = log(more="fix shear all deform 1 xy erate 1 remap v")
@@ -40,11 +40,12 @@ text = log(words="pressure 10 tolerance 0.2")
 deck.expect("no rate, no settings", "cannot tell: give the shear rate: rate g" in text and "nan" not in text[text.index("Settings"):])
 text = log(more="fix shear all deform/rheometer rate 1 volume", words="tolerance 0.2")
 deck.expect("pressure of the start", "(estimated from phi); measured over a strain of 0.024, too short for a mean" in text)
-deck.expect("settings for a tolerance come once, without the advice", "Which effects" not in text and text.count("Suspension scene") == 0)
+deck.expect("settings for a tolerance come once, without the advice", "Effects that this system needs" not in text and
+            text.count("Suspension scene") == 0)
 text = log(more="fix shear all deform/rheometer rate 1 volume", coeffs="friction clm step 0.5 20", words="tolerance 0.2")
 deck.expect("no settings for a pressure that may be two", "cannot tell: the pressure, on which the stiffness rests, is not known before" in text)
 text = log(more="fix shear all deform/rheometer rate 1 volume", coeffs="friction clm step 0.5 20", words="tolerance 0.2 pressure 30")
-deck.expect("  but for a given one", "Deck lines to use" in text)
+deck.expect("  but for a given one", "Input lines to use" in text)
 # a critical load that nothing reaches: the pressure is a quarter of that with friction, which is no reason to warn
 text = log(more="fix shear all deform/rheometer rate 1 volume", then="run 4000 post no", coeffs="friction clm step 0.5 1000", words="brief")
 deck.expect("steady without friction: no alarm", "warning: the measured pressure" not in text and "warning: the pressure" not in text)
@@ -73,18 +74,18 @@ GRANULAR = '"pair_coeff * * granular hooke 1e4 0 tangential linear_nohistory 0.0
 OURS = '"pair_coeff * * lubcontact 1e4 5e3 roughness 0.01"'
 LUBRICATE = "lubricate 1e-6 1 1 1.81 2.5 1 0"    # of spheres of one size
 DRY = "lubcontact 0 cut 0.1 squeeze no shear no roll no twist no"
-TWICE = "between the same particles; lubcontact replaces the other one, leave that out"
+TWICE = "act twice; lubcontact replaces the other style: remove it"
 for styles, coeffs, words in (
         ("hybrid/overlay gran/hooke/history 1e4 NULL 0 NULL 0.5 1 lubcontact 1.0 cut 0.5", (GRAN, OURS),
-         "lubcontact and gran/hooke/history both act on types 1 1: two elastic contacts"),
-        ("hybrid/overlay lubcontact 1.0 cut 0.5 granular", (OURS, GRANULAR), "lubcontact and granular both act on types 1 1: two elastic contacts"),
+         "lubcontact and gran/hooke/history both act on types 1 1, so elastic contacts act twice"),
+        ("hybrid/overlay lubcontact 1.0 cut 0.5 granular", (OURS, GRANULAR), "lubcontact and granular both act on types 1 1, so elastic contacts act twice"),
         (f"hybrid/overlay lubcontact 1.0 cut 0.5 {LUBRICATE}", (OURS, '"pair_coeff * * lubricate"', '"set group all diameter 1.8"'),
-         "lubcontact and lubricate both act on types 1 1: two films"),
+         "lubcontact and lubricate both act on types 1 1, so films act twice"),
         (f"hybrid/overlay {DRY} {LUBRICATE}", (OURS, '"pair_coeff * * lubricate"', '"set group all diameter 1.8"'), None),
         ("hybrid/overlay lubcontact 1.0 cut 0.5 zero 2.5", (OURS, '"pair_coeff * * zero"'), None),
         ("hybrid/overlay lubcontact 1.0 cut 0.5 lubcontact 2.0 cut 0.3",
          ('"pair_coeff * * lubcontact 1 1e4 5e3 roughness 0.01"', '"pair_coeff * * lubcontact 2 1e4 5e3"'),
-         "lubcontact and lubcontact both act on types 1 1: two contacts and films")):
+         "lubcontact and lubcontact both act on types 1 1, so contacts and films act twice")):
     text = log(more=f'if "1 == 1" then "pair_style {styles}" {" ".join(coeffs)}')
     deck.expect(f"{styles} warns: {words}", words is not None and words in text if words else TWICE not in text)
 deck.make_state(types=2)

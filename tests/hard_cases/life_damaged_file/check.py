@@ -67,7 +67,7 @@ for place, mask in ((pair, 0x01), (pair + 3, 0xff), (pair + 3, 0x01), (pair + 8,
 
 flow = whole.index(b"deform/rheometer\0") + len(b"deform/rheometer\0") + 4
 drag = whole.index(b"drag/background\0") + len(b"drag/background\0") + 4
-judge("rheometer, its size", flipped(whole, flow + 1, 0x01), "fix deform/rheometer in the restart file is damaged, or of another version")
+judge("rheometer, its size", flipped(whole, flow + 1, 0x01), "fix deform/rheometer in the restart file is damaged, or was written by another version")
 for place in (flow + 8 * 9, flow + 8 * 24 + 6, flow + 8 * 30)[MINE]:
     judge(f"rheometer, byte {place - flow}", flipped(whole, place, 0x40), "fix deform/rheometer in the restart file is damaged")
 judge("drag", flipped(whole, drag + 5, 0x01), "fix drag/background in the restart file is damaged")

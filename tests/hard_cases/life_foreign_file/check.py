@@ -8,7 +8,7 @@ WET, COEFF = "lubcontact 1.0 cut 0.5", "1e4 5e3 roughness 0.01 friction coulomb 
 DRY = "lubcontact 0 cut 0.1 squeeze no shear no roll no twist no"
 GRAN = "gran/hooke/history 1e4 NULL 50 NULL 0.5 1"
 HOOKE = "gran/hooke 1e4 NULL 50 NULL 0.5 0"
-OTHER = "other effects than those that pair style lubcontact has now"
+OTHER = "different effects than pair style lubcontact has now"
 
 deck.make_state()
 

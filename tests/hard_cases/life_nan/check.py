@@ -18,8 +18,8 @@ CASES = [    # command in the middle of the run, time step, errors of which one 
     ("set atom 8 x 1e300", 5e-4, ["Lost atoms"], 90, False),
     ("print nothing", 5e-3, ["reduce the time step, stiffen the contact"], 100, True),
     ("print nothing", 0.1, ["reduce the time step, stiffen the contact"], 100, True),
-    ("print nothing", 10, ["the cell would move by more than half an edge"], 81, True),
-    ("print nothing", 1e10, ["the cell would move by more than half an edge"], 81, True),
+    ("print nothing", 10, ["the cell would move by more than half its length"], 81, True),
+    ("print nothing", 1e10, ["the cell would move by more than half its length"], 81, True),
 ]
 deck.make_state()
 for what, dt, messages, latest, warned in CASES[deck.RANKS - 1::2]:

@@ -71,7 +71,7 @@ def stresses():
         expect(f"stress {target}: rate below that of the fluid alone", np.all((t["f_shear[2]"] / target)[late] < 0.5)
                and np.mean((t["f_shear[2]"] / target)[late]) > 0, f"{t['f_shear[2]'][-1]:.4f}")
         expect("  state", np.all(t["f_shear[10]"][1:] == 1))
-    expect("stress steps: not jammed, not out of reach", "cannot be reached" not in text and "jammed" not in text)
+    expect("stress steps: not jammed, not out of reach", "cannot reach" not in text and "jammed" not in text)
 
 
 def moved(edge, a, b, strain):

@@ -1,0 +1,324 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "fix_pore_pressure.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_pore_pressure_field.h"
+#include "fix_pore_pressure_settings.h"
+#include "fix_rheometer_plates.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "restart_seal.h"
+#include "suspension_host.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using Pore_NS::Wall;
+
+/* ---------------------------------------------------------------------- */
+
+FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), settings(new PoreSettings()), field(new PoreField(lmp)), plates(nullptr),
+    force_of_atom(nullptr), work(0.0), tilt(0.0)
+{
+  if (!PoreField::has_library())
+    error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
+  parse(narg, arg);
+  scalar_flag = 0;
+  vector_flag = 1;
+  size_vector = Output::NUM;
+  array_flag = 1;
+  size_array_rows = 1;
+  size_array_rows_variable = 1;
+  size_array_cols = Output::NUM_COLUMNS;
+  extvector = extarray = 0;
+  peratom_flag = 1;
+  size_peratom_cols = 3;
+  peratom_freq = 1;
+  global_freq = 1;
+  restart_global = 1;
+  FixPorePressure::grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  for (int i = 0; i < atom->nlocal; i++) FixPorePressure::set_arrays(i);
+}
+
+FixPorePressure::~FixPorePressure()
+{
+  atom->delete_callback(id, Atom::GROW);
+  memory->destroy(force_of_atom);
+}
+
+int FixPorePressure::setmask()
+{
+  return FixConst::POST_FORCE;
+}
+
+/* ----------------------------------------------------------------------
+   cell and fluid of this step
+------------------------------------------------------------------------- */
+
+struct FixPorePressure::Now {
+  Pore_NS::Cell cell;
+  PoreField::Fluid fluid;
+  int bits, lower_bits, upper_bits;
+};
+
+FixPorePressure::Now FixPorePressure::now()
+{
+  PoreSettings &s = *settings;
+  bool variables = false;
+  for (const auto *number : s.numbers())
+    if (!number->is_number()) variables = true;
+  if (variables) modify->clearstep_compute();
+  for (auto *number : s.numbers()) number->evaluate(lmp);
+  if (variables) modify->addstep_compute(update->ntimestep + 1);
+  const double *of_pair = s.viscosity_of_pair ? Suspension_NS::viscosity_of_pair(lmp)
+                                              : &s.viscosity.value;
+  if (!of_pair || !(*of_pair > 0.0))
+    error->all(FLERR, "Fix pore/pressure viscosity must be > 0, but is {} at step {}",
+               of_pair ? *of_pair : 0.0, update->ntimestep);
+
+  Now n{};
+  const double *lo = domain->boxlo;
+  const bool flat = domain->dimension == 2;
+  n.cell = {{lo[0], lo[1], flat ? 0.0 : lo[2]},
+            domain->xprd,
+            domain->yprd,
+            flat ? 1.0 : domain->zprd,
+            domain->xy,
+            flat ? 0.0 : domain->xz,
+            flat ? 0.0 : domain->yz};
+  n.bits = groupbit;
+  if (plates) {
+    double bottom, top;
+    plates->measure_surfaces(bottom, top);
+    n.cell.origin.y = bottom;
+    n.cell.yprd = top - bottom;
+    n.bits |= plates->plate_bits();
+    if (s.lower == Wall::IMPERMEABLE) n.lower_bits = plates->plate_bit(0);
+    if (s.upper == Wall::IMPERMEABLE) n.upper_bits = plates->plate_bit(1);
+    n.fluid.wall.upper = plates->opening();
+  }
+  const double unit = 1.0 / force->nktv2p;    // LAMMPS' pressure to force/area
+  n.fluid.viscosity = *of_pair;
+  n.fluid.storage = s.storage / unit;
+  n.fluid.law = s.law;
+  n.fluid.coupling = s.coupling;
+  n.fluid.iterate = s.iterate;
+  n.fluid.tolerance = s.tolerance;
+  n.fluid.lower = n.fluid.upper = s.drained.value * unit;
+  n.fluid.gradient = {s.gradient[0].value * unit, s.gradient[1].value * unit,
+                      s.gradient[2].value * unit};
+  return n;
+}
+
+/* ----------------------------------------------------------------------
+   A pressure that is known, from a restart file or the last run, has made the forces of this moment
+------------------------------------------------------------------------- */
+
+void FixPorePressure::setup(int vflag)
+{
+  make_grid();
+  tilt = domain->xy;
+  if (!field->has_pressure()) {
+    post_force(vflag);
+    return;
+  }
+  const Now n = now();
+  field->deposit(n.cell, n.bits, n.fluid);
+  field->add_forces(n.lower_bits, n.upper_bits, n.fluid);
+  keep_forces();
+}
+
+void FixPorePressure::post_force(int /*vflag*/)
+{
+  const Now n = now();
+  const double jump = fabs(domain->xy - tilt);
+  if (!plates && jump > 0.5 * domain->xprd) field->forget();    // the cell has flipped
+  tilt = domain->xy;
+  field->deposit(n.cell, n.bits, n.fluid);
+  field->advance(update->dt, n.fluid);
+  field->add_forces(n.lower_bits, n.upper_bits, n.fluid);
+  keep_forces();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixPorePressure::keep_forces()
+{
+  const auto &forces = field->forces();
+  work = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    // the velocity is that of the last step, the work that of the mean force
+    const auto flow = Suspension_NS::cell_velocity(domain, atom->x[i]);
+    const double f[3] = {forces[i].x, forces[i].y, forces[i].z};
+    for (int d = 0; d < 3; d++)
+      work += 0.5 * (force_of_atom[i][d] + f[d]) * (atom->v[i][d] - flow[d]);
+    force_of_atom[i][0] = forces[i].x;
+    force_of_atom[i][1] = forces[i].y;
+    force_of_atom[i][2] = forces[i].z;
+  }
+}
+
+void FixPorePressure::grow_arrays(int nmax)
+{
+  memory->grow(force_of_atom, nmax, 3, "pore/pressure:force");
+  array_atom = force_of_atom;
+}
+
+void FixPorePressure::copy_arrays(int i, int j, int /*delflag*/)
+{
+  std::copy_n(force_of_atom[i], 3, force_of_atom[j]);
+}
+
+void FixPorePressure::set_arrays(int i)
+{
+  std::fill_n(force_of_atom[i], 3, 0.0);
+}
+
+int FixPorePressure::pack_exchange(int i, double *buf)
+{
+  std::copy_n(force_of_atom[i], 3, buf);
+  return 3;
+}
+
+int FixPorePressure::unpack_exchange(int nlocal, double *buf)
+{
+  std::copy_n(buf, 3, force_of_atom[nlocal]);
+  return 3;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixPorePressure::compute_vector(int n)
+{
+  const PoreField::Report &r = field->report();
+  const double unit = force->nktv2p;
+  switch (n) {
+    case Output::LOWER:
+      return r.lower * unit;
+    case Output::UPPER:
+      return r.upper * unit;
+    case Output::MEAN:
+      return r.mean * unit;
+    case Output::LARGEST:
+      return r.largest * unit;
+    case Output::LOWER_FLUX:
+      return r.flux.lower / field->grid().wall_area();
+    case Output::UPPER_FLUX:
+      return r.flux.upper / field->grid().wall_area();
+    case Output::DISSIPATION:
+      return r.dissipation * unit / field->grid().volume();
+    case Output::FX:
+    case Output::FY:
+    case Output::FZ:
+      return r.total[n - Output::FX];
+    case Output::ITERATIONS:
+      return r.convergence.iterations;
+    case Output::RESIDUAL:
+      return r.convergence.residual;
+    case Output::K_MIN:
+      return r.k_min;
+    case Output::K_MAX:
+      return r.k_max;
+    case Output::POWER:
+      return acts() ? mean_power() : 0.0;
+    default:
+      return r.explicit_step > 0.0 ? update->dt / r.explicit_step : 0.0;
+  }
+}
+
+double FixPorePressure::compute_array(int i, int j)
+{
+  const auto layers = field->profile();
+  size_array_rows = static_cast<int>(layers.size());
+  if (i >= size_array_rows) return 0.0;
+  const double unit = force->nktv2p;
+  const double values[] = {layers[i].y, layers[i].p * unit, layers[i].phi, layers[i].u_y,
+                           layers[i].q_y};
+  return values[j];
+}
+
+double FixPorePressure::pressure_volume() const
+{
+  return field->report().mean * field->grid().volume();
+}
+
+double FixPorePressure::mean_power()
+{
+  double all;
+  MPI_Allreduce(&work, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return -all;
+}
+
+bool FixPorePressure::acts() const
+{
+  return settings->coupling != PoreField::Coupling::OFF;
+}
+
+double FixPorePressure::memory_usage()
+{
+  return field->memory_usage() + 3.0 * atom->nmax * sizeof(double);
+}
+
+/* ----------------------------------------------------------------------
+   a head with its seal, which says how much follows; the pressure, and its seal
+------------------------------------------------------------------------- */
+
+static constexpr std::size_t HEAD = 7;
+
+static double seal_of(const double *values, std::size_t number)
+{
+  return Suspension_NS::seal(values, number * sizeof(double));
+}
+
+void FixPorePressure::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const Pore_NS::Grid &grid = field->grid();
+  const Pore_NS::Field &p = field->pressure();
+  std::vector<double> record = {static_cast<double>(p.size()),    static_cast<double>(grid.nx),
+                                static_cast<double>(grid.ny),     static_cast<double>(grid.nz),
+                                static_cast<double>(grid.lower),  static_cast<double>(grid.upper),
+                                field->has_pressure() ? 1.0 : 0.0};
+  record.push_back(seal_of(record.data(), HEAD));
+  record.insert(record.end(), p.begin(), p.end());
+  record.push_back(seal_of(p.data(), p.size()));
+  const int size = static_cast<int>(record.size() * sizeof(double));
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(record.data(), sizeof(double), record.size(), fp);
+}
+
+void FixPorePressure::restart(char *buffer)
+{
+  const auto *head = reinterpret_cast<const double *>(buffer), *p = head + HEAD + 1;
+  const bool sealed = seal_of(head, HEAD) == head[HEAD];
+  const std::size_t number = sealed ? static_cast<std::size_t>(head[0]) : 0;
+  if (!sealed || seal_of(p, number) != p[number])
+    error->all(FLERR,
+               "The part of fix pore/pressure in the restart file is damaged: use another one");
+  Pore_NS::Grid grid;
+  grid.nx = static_cast<int>(head[1]);
+  grid.ny = static_cast<int>(head[2]);
+  grid.nz = static_cast<int>(head[3]);
+  grid.lower = static_cast<Wall>(static_cast<int>(head[4]));
+  grid.upper = static_cast<Wall>(static_cast<int>(head[5]));
+  if (grid.lower != settings->lower || grid.upper != settings->upper || head[6] == 0.0) return;
+  field->set_grid(grid);
+  if (number == grid.nodes()) field->take_pressure({p, p + number});
+}

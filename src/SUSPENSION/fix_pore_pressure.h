@@ -1,0 +1,85 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(pore/pressure,FixPorePressure);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_PORE_PRESSURE_H
+#define LMP_FIX_PORE_PRESSURE_H
+
+#include "fix.h"
+
+#include <memory>
+#include <string>
+
+namespace LAMMPS_NS {
+class FixRheometerPlates;
+class PoreField;
+
+// Pressure of the fluid between the particles, which must flow when they dilate or settle: Darcy's law on
+// a grid, and its forces on particles and plates.
+class FixPorePressure : public Fix {
+ public:
+  FixPorePressure(class LAMMPS *, int, char **);
+  ~FixPorePressure() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_force(int) override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  double compute_vector(int) override;
+  double compute_array(int, int) override;
+  double memory_usage() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  // of the last step
+  double pressure_volume() const;    // its integral
+  double mean_power();               // that the particles have given to the fluid, energy/time
+  bool acts() const;                 // not with coupling off
+
+  // f_ID[1] and so on: see the manual
+  // clang-format off
+  struct Output {
+    enum { LOWER, UPPER, MEAN, LARGEST, LOWER_FLUX, UPPER_FLUX, DISSIPATION, FX, FY, FZ, ITERATIONS,
+           RESIDUAL, K_MIN, K_MAX, STEP, POWER, NUM };
+    enum { Y, PRESSURE, PHI, U_Y, Q_Y, NUM_COLUMNS };
+  };
+  // clang-format on
+
+ private:
+  std::unique_ptr<struct PoreSettings> settings;
+  std::unique_ptr<PoreField> field;
+  FixRheometerPlates *plates;
+  double **force_of_atom;    // for output, force
+  double work;               // of the last step on the particles of this rank, energy/time
+  double tilt;               // of the last step: a flip maps no nodes onto nodes
+
+  void parse(int, char **);
+  int parse_keyword(int, int, char **);
+  void check_order() const;
+  void check_others() const;
+  double mean_diameter() const;
+  void make_grid();
+  struct Now;
+  Now now();
+  void keep_forces();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,112 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// The pressure of the pore fluid on a grid, and its forces on the particles of this rank. All ranks hold
+// the whole grid: sums over particles are reduced, the solution is the same everywhere.
+
+#ifndef LMP_FIX_PORE_PRESSURE_FIELD_H
+#define LMP_FIX_PORE_PRESSURE_FIELD_H
+
+#include "pointers.h"
+#include "pore_closure.h"
+#include "pore_deposit.h"
+#include "pore_operator.h"
+#include "pore_step.h"
+
+#include <memory>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PoreField : protected Pointers {
+ public:
+  enum class Coupling { IMPLICIT, EXPLICIT, OFF };
+
+  // what the fluid is like in this step; pressures are force/area
+  struct Fluid {
+    double viscosity = 0.0, storage = 0.0;
+    Pore_NS::Permeability law;
+    Coupling coupling = Coupling::IMPLICIT;
+    bool iterate = false;    // solver cg: to the tolerance in each step
+    double tolerance = 1e-8;
+    double lower = 0.0, upper = 0.0;    // given at drained plates
+    Lubcontact_NS::Vec3 gradient;       // mean one
+    Pore_NS::WallVelocity wall;         // of plates
+  };
+
+  explicit PoreField(LAMMPS *);
+  ~PoreField() override;
+  static bool has_library();    // FFTW
+  static const char *const NO_LIBRARY;
+
+  // numbers of elements and kinds of walls; a pressure of another size is forgotten
+  void set_grid(const Pore_NS::Grid &);
+  const Pore_NS::Grid &grid() const { return lattice; }
+  bool has_pressure() const { return known; }
+  void forget() { known = false; }
+
+  // the particles of this step with these bits, in this cell; the pressure stays
+  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &);
+
+  // Pressure at the end of the step of length dt, in which the other forces act; without one, or where
+  // asked, to the tolerance.
+  void advance(double dt, const Fluid &);
+
+  // of the pressure, on the particles as they were deposited: added to their forces
+  void add_forces(int impermeable_bits_lower, int impermeable_bits_upper, const Fluid &);
+  const std::vector<Lubcontact_NS::Vec3> &forces() const { return pushed; }    // by local index
+
+  // what there is to know; valid after advance() or add_forces()
+  struct Report {
+    double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures
+    Pore_NS::WallFlux flux;                                        // volume/time
+    double dissipation = 0.0;                                      // power
+    double total[3] = {};                                          // force on all particles
+    Pore_NS::Convergence convergence;
+    double k_min = 0.0, k_max = 0.0;
+    double explicit_step = 0.0;
+  };
+  const Report &report() const { return seen; }
+  struct Layer {
+    double y, p, phi, u_y, q_y;
+  };
+  std::vector<Layer> profile() const;    // by layers of elements
+
+  const Pore_NS::Field &pressure() const { return p; }
+  void take_pressure(const std::vector<double> &);    // of a restart file, of this grid
+  double memory_usage() const;
+
+ private:
+  struct Particle {
+    int i;
+    double inverse_mass;
+    Pore_NS::Stencil stencil;
+  };
+
+  Pore_NS::Grid lattice;
+  Pore_NS::ElementMatrix matrix;
+  Pore_NS::Field p;
+  bool known;
+  std::vector<Pore_NS::Element> elements;
+  std::vector<Pore_NS::Motion> motion;
+  std::vector<double> mobility;
+  std::vector<Particle> particles;
+  std::vector<Lubcontact_NS::Vec3> pushed;    // forces of the pressure
+  std::unique_ptr<struct PoreTransforms> transforms;
+  Report seen;
+
+  void sum_motion(const Pore_NS::Field &of_pressure, double dt, bool whole_velocity,
+                  std::vector<Pore_NS::Motion> &sums) const;
+  void solve_constant(const Pore_NS::Field &r, double c, double s, Pore_NS::Field &change) const;
+  void see(const Fluid &);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

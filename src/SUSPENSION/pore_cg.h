@@ -1,0 +1,76 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+// Conjugate gradients with a preconditioner: M.R. Hestenes, E. Stiefel, J. Res. Nat. Bur. Stand. 49, 409
+// (1952). The matrix may be singular if the right side, and what the preconditioner returns, are not.
+
+#ifndef LMP_PORE_CG_H
+#define LMP_PORE_CG_H
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace LAMMPS_NS::Pore_NS {
+
+struct Convergence {
+  int iterations = 0;
+  double residual = 0.0;    // over that of p = 0
+};
+
+inline double scalar_product(const std::vector<double> &a, const std::vector<double> &b)
+{
+  double sum = 0.0;
+  for (std::size_t n = 0; n < a.size(); n++) sum += a[n] * b[n];
+  return sum;
+}
+
+// Solves A p = rhs from the p given, until the residual is tolerance times the right side, or after the
+// most iterations.
+//   apply(p, y): y = A p;   precondition(r, z): z = P^-1 r, any multiple of it
+//   agree(residual): the same number on all ranks, so that all stop together
+template <class Apply, class Precondition, class Agree>
+Convergence conjugate_gradients(const Apply &apply, const Precondition &precondition,
+                                const Agree &agree, const std::vector<double> &rhs,
+                                double tolerance, int most, std::vector<double> &p)
+{
+  const std::size_t size = rhs.size();
+  std::vector<double> r(size), z, d, y;
+  apply(p, y);
+  for (std::size_t n = 0; n < size; n++) r[n] = rhs[n] - y[n];
+  const double whole = std::sqrt(scalar_product(rhs, rhs));
+  Convergence found;
+  if (!(agree(whole) > 0.0)) {
+    p.assign(size, 0.0);
+    return found;
+  }
+  double rz = 0.0;
+  for (;; found.iterations++) {
+    found.residual = agree(std::sqrt(scalar_product(r, r)) / whole);
+    if (!(found.residual > tolerance) || found.iterations == most) return found;
+    precondition(r, z);
+    const double next = scalar_product(r, z);
+    if (found.iterations == 0)
+      d = z;
+    else
+      for (std::size_t n = 0; n < size; n++) d[n] = z[n] + next / rz * d[n];
+    rz = next;
+    apply(d, y);
+    const double step = rz / scalar_product(d, y);
+    if (!std::isfinite(agree(step))) return found;    // nothing is left that A or P see
+    for (std::size_t n = 0; n < size; n++) {
+      p[n] += step * d[n];
+      r[n] -= step * y[n];
+    }
+  }
+}
+
+}    // namespace LAMMPS_NS::Pore_NS
+
+#endif
