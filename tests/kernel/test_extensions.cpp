@@ -387,7 +387,8 @@ TEST(Extensions, SurfacesThatRestGiveNoEnergy)
 
 TEST(Repulsion, HoweverStiffDoesNotLimitTheTimeStep)
 {
-  // a mass on a repulsion F0/lambda = 1e4 g, by velocity Verlet near the limit 2 sqrt(m/g) of the bulk
+  // a mass on a repulsion F0/lambda = 1e4 g, by velocity Verlet near the limit 2 sqrt(m/g) of the
+  // bulk
   const double g = 100.0, length = 1e-4, F0 = 1e4 * g * length;
   const NormalCoeffs c = make_coeffs(g, g, 0.0, 0.0, F0, length);
   for (const double eta : {0.0, 1e-6, 1e-3, 1.0, 1e3}) {
