@@ -14,6 +14,7 @@ args=(-D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O3 -DNDEBUG" -D C
   -D BUILD_MPI=on -D BUILD_OMP=off -D PKG_GRANULAR=on -D PKG_PLUGIN=on -D PKG_COLLOID=on
   -D PKG_GRAPHICS=on    # dump image, in releases that have moved it there
   -D WITH_JPEG=off -D WITH_PNG=off -D WITH_GZIP=off -D WITH_FFMPEG=off "$@")
+if [ "$sizes" = bigbig ]; then args+=(-D LAMMPS_SIZES=bigbig); fi
 use_ccache "$cache"
 
 # Up to date if it was finished with the same compiler, arguments and cmake/lammps_quick.cmake.

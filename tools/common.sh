@@ -1,6 +1,7 @@
 # shellcheck shell=bash disable=SC2034 # its variables are used by the others
 # Sourced by the other tools: where things are. From the environment:
 #   SUSPENSION_LAMMPS   LAMMPS release: 4Feb2025 (default) or 4Jul2026
+#   SUSPENSION_SIZES    integer sizes of that LAMMPS: smallbig (default) or bigbig
 #   SUSPENSION_CACHE    where LAMMPS is unpacked and built, default ~/.cache/suspension
 #   LAMMPS_SOURCE_DIR, LAMMPS_EXECUTABLE   both: a LAMMPS of your own; then nothing is fetched and LAMMPS is not built
 
@@ -11,6 +12,12 @@ cache=${SUSPENSION_CACHE:-${XDG_CACHE_HOME:-$user_cache}/suspension}
 say() { echo "suspension: $*" >&2; }
 die() { say "$*"; exit 1; }
 
+sizes=${SUSPENSION_SIZES:-smallbig}
+case $sizes in
+  smallbig) of_sizes= ;;
+  bigbig) of_sizes=-bigbig ;;
+  *) die "SUSPENSION_SIZES=$sizes is not one of smallbig, bigbig" ;;
+esac
 if [ -n "${LAMMPS_SOURCE_DIR:-}" ] && [ -n "${LAMMPS_EXECUTABLE:-}" ]; then
   version=own
   lammps_source=$(realpath "$LAMMPS_SOURCE_DIR")
@@ -20,11 +27,11 @@ elif [ -n "${LAMMPS_SOURCE_DIR:-}${LAMMPS_EXECUTABLE:-}" ]; then
 else
   version=${SUSPENSION_LAMMPS:-4Feb2025}
   lammps_source=$cache/lammps-$version/source
-  lammps_executable=$cache/lammps-$version/build/lmp
+  lammps_executable=$cache/lammps-$version/build$of_sizes/lmp
 fi
 
-build=$top/build-$version
-if [ "$version" = 4Feb2025 ]; then build=$top/build; fi
+build=$top/build-$version$of_sizes
+if [ "$version" = 4Feb2025 ]; then build=$top/build$of_sizes; fi
 
 # Only one at a time: held until the script ends.
 lock() {

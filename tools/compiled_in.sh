@@ -6,7 +6,7 @@ set -euo pipefail
 # shellcheck source=tools/common.sh
 source "$(dirname "$0")/common.sh"
 
-folder=$cache/lammps-$version/build-compiled-in
+folder=$cache/lammps-$version/build-compiled-in$of_sizes
 rm -f "$folder/finished"    # our sources change: always look again
 "$top/tools/build_lammps.sh" "$folder" \
   -D CMAKE_PROJECT_lammps_INCLUDE="$top/cmake/suspension_in_lammps.cmake" -D SUSPENSION_COMPILE_OPTIONS=-O0

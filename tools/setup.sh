@@ -11,7 +11,7 @@ packages="g++ make cmake ninja-build ccache libopenmpi-dev openmpi-bin python3 p
 tests=OFF
 case "$#:${1:-}" in
   0:) ;;
-  1:--tests) tests=ON packages="$packages libgtest-dev libbenchmark-dev valgrind python3-sphinx libjs-mathjax" ;;
+  1:--tests) tests=ON packages="$packages libgtest-dev libbenchmark-dev valgrind clang python3-sphinx libjs-mathjax" ;;
   *) die "unknown arguments: $*; usage: tools/setup.sh [--tests]" ;;
 esac
 
@@ -40,7 +40,7 @@ check_own_lammps() {
   help=$("$lammps_executable" -h) || die "LAMMPS_EXECUTABLE=$lammps_executable does not run"
   grep -qw plugin <<<"$help" ||
     die "$lammps_executable cannot load plugins: build it with PKG_PLUGIN=on, or use cmake/suspension_in_lammps.cmake"
-  if grep -q LAMMPS_BIGBIG <<<"$help"; then sizes=bigbig; fi
+  if grep -q LAMMPS_BIGBIG <<<"$help"; then sizes=bigbig; else sizes=smallbig; fi
 }
 
 # A build folder that has been set up for tests stays so: without --tests only less of it is built.
@@ -65,7 +65,6 @@ build_plugin() {
 }
 
 install_packages
-sizes=smallbig
 if [ "$version" = own ]; then
   check_own_lammps
   build_plugin
@@ -73,7 +72,7 @@ else
   # Side by side: the plugin needs LAMMPS' headers only. The job gets a process group, to be stopped as a whole.
   "$top/tools/fetch_lammps.sh" "$version" "$lammps_source"
   set -m
-  "$top/tools/build_lammps.sh" "$cache/lammps-$version/build" &
+  "$top/tools/build_lammps.sh" "$cache/lammps-$version/build$of_sizes" &
   lammps=$!
   set +m
   trap 'kill -- "-$lammps" 2>/dev/null || true' EXIT

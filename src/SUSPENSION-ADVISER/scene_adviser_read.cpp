@@ -159,7 +159,8 @@ void SceneAdviser::read_pressure(const Rheometer_NS::StrainMeans &means, double 
 }
 
 /* ----------------------------------------------------------------------
-   of all fixes together. All that it pulls on a wall or an open side presses on it, if it pulls straight
+   of all fixes together. All that it pulls on a wall or an open side presses on it, if it pulls
+   straight
 ------------------------------------------------------------------------- */
 
 void SceneAdviser::read_gravity()

@@ -38,7 +38,8 @@ inline Slots slots_of(unsigned instance)
   return slots;
 }
 
-// for each slot of a history of the loop `to`: its slot in that of the loop `from`, -1 if it has none
+// for each slot of a history of the loop `to`: its slot in that of the loop `from`, -1 if it has
+// none
 inline std::vector<int> history_map(unsigned from, unsigned to)
 {
   const Slots source = slots_of(from), target = slots_of(to);

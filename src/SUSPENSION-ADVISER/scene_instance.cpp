@@ -281,8 +281,8 @@ void SceneInstance::copy_box() const
 }
 
 /* ----------------------------------------------------------------------
-   how they are made; of style multi also which types or sizes share one, and how far its ghosts reach.
-   Style multi counts the types of the box
+   how they are made; of style multi also which types or sizes share one, and how far its ghosts
+   reach. Style multi counts the types of the box
 ------------------------------------------------------------------------- */
 
 void SceneInstance::copy_neighbor_style() const

@@ -24,8 +24,8 @@ class LAMMPS;
 class PairLubcontact;
 
 // A second LAMMPS on the ranks of the first, with a copy of its sheared suspension under a pair law
-// that may be another: what happens in there leaves the first one alone, which is only read. Silent;
-// its errors are thrown.
+// that may be another: what happens in there leaves the first one alone, which is only read.
+// Silent; its errors are thrown.
 class SceneInstance {
  public:
   // what can be copied; errors name what cannot

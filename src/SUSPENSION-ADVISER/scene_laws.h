@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The pair law under the eyes of the adviser: what it is made of, all of it switched on, forces of its
-// surfaces. Pure functions of the struct that holds what a user gives.
+// The pair law under the eyes of the adviser: what it is made of, all of it switched on, forces of
+// its surfaces. Pure functions of the struct that holds what a user gives.
 
 #ifndef SCENE_LAWS_H
 #define SCENE_LAWS_H
@@ -167,8 +167,8 @@ inline double softest(const Lubcontact_NS::Law &law)
   return least;
 }
 
-// Of several types the softest, the smoothest and the roughest, and the strongest forces; of critical
-// loads both ends. The radius of the scene must be known.
+// Of several types the softest, the smoothest and the roughest, and the strongest forces; of
+// critical loads both ends. The radius of the scene must be known.
 inline void describe_law(const Lubcontact_NS::Law &law, Scene &s)
 {
   using Lubcontact_NS::FrictionLaw;

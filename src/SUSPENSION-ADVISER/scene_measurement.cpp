@@ -50,8 +50,8 @@ static constexpr Cure CURES[] = {
     {Lubcontact_NS::ADHESION, "give the pull-off force with 'adhesion F'"},
     {Lubcontact_NS::REPULSION, "give its force and length with 'repulsion F lambda'"}};
 
-// One line of the table; of the drag, which is not of the pair law, the bit is 0. Where it shows: rows of
-// compute stress/partition and of compute power/partition, or -1.
+// One line of the table; of the drag, which is not of the pair law, the bit is 0. Where it shows:
+// rows of compute stress/partition and of compute power/partition, or -1.
 struct SceneMeasurement::Row {
   unsigned bit = 0;
   const char *name = "drag";

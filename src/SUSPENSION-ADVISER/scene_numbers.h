@@ -106,8 +106,8 @@ inline double friction_gain(double phi, double friction)
 
 static constexpr double VISCOUS_TO_INERTIAL = 10.0;    // I^2/Iv, Tapia et al. 2022
 
-// Random close packing of spheres of several sizes over that of equal ones: Desmond and Weeks, Phys.
-// Rev. E 90, 022204 (2014). The laws here are those of spheres up to this spread.
+// Random close packing of spheres of several sizes over that of equal ones: Desmond and Weeks,
+// Phys. Rev. E 90, 022204 (2014). The laws here are those of spheres up to this spread.
 static constexpr double NARROW = 0.1;
 inline double packing_gain(double spread, double skew)
 {
@@ -124,10 +124,10 @@ inline double loosest_jamming(const Scene &s)
   return jamming_fraction(may_slip ? 0.0 : s.friction) * packing_gain(s.spread, s.skew);
 }
 
-// Pressure of the steady flow by the volume fraction, from where it is least to where it is largest:
-// no contact that has a critical load is frictional, sizes pack as well as they can; all contacts
-// are frictional, sizes pack as equal ones. Infinite: jammed. Unknown without rate, viscosity and
-// friction.
+// Pressure of the steady flow by the volume fraction, from where it is least to where it is
+// largest: no contact that has a critical load is frictional, sizes pack as well as they can; all
+// contacts are frictional, sizes pack as equal ones. Infinite: jammed. Unknown without rate,
+// viscosity and friction.
 struct Bounds {
   double low = UNKNOWN, high = UNKNOWN;
   bool one() const { return !(high > 1.1 * low); }    // as far as the law is good

@@ -97,8 +97,8 @@ void FixNeighHistoryLubcontact::check_rows() const
 }
 
 /* ----------------------------------------------------------------------
-   Partners are found by the IDs that the records know, which are those of the atoms unless a command
-   has changed them since
+   Partners are found by the IDs that the records know, which are those of the atoms unless a
+   command has changed them since
 ------------------------------------------------------------------------- */
 
 void FixNeighHistoryLubcontact::post_neighbor()
@@ -300,8 +300,8 @@ int FixNeighHistoryLubcontact::unpack_exchange(int nlocal, double *buf)
 }
 
 /* ----------------------------------------------------------------------
-   of one atom: length, number of partners, ID and dnum values of each, then ID and radius of the atom
-   in the record, the layout of the values and the checksum of all
+   of one atom: length, number of partners, ID and dnum values of each, then ID and radius of the
+   atom in the record, the layout of the values and the checksum of all
 ------------------------------------------------------------------------- */
 
 int FixNeighHistoryLubcontact::pack_restart(int i, double *buffer)

@@ -7,7 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// What a deck asks of pair style lubcontact, held against what can act; and what the host must be like.
+// What a deck asks of pair style lubcontact, held against what can act; and what the host must be
+// like.
 
 #ifndef LMP_LUBCONTACT_CHECKS_H
 #define LMP_LUBCONTACT_CHECKS_H

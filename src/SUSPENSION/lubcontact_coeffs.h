@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Coefficients of a pair of types as a user gives them: one row of the table COLUMNS per coefficient.
-// What reads, mixes, checks, stores or prints them is a loop over the table.
+// Coefficients of a pair of types as a user gives them: one row of the table COLUMNS per
+// coefficient. What reads, mixes, checks, stores or prints them is a loop over the table.
 
 #ifndef LUBCONTACT_COEFFS_H
 #define LUBCONTACT_COEFFS_H
@@ -110,8 +110,8 @@ inline double mixed(Mixing rule, double one, double other)
   return 0.5 * (one + other);
 }
 
-// Of two types, from their like pairs. Surfaces without friction have none with others; two other laws
-// must be the same: check laws_agree() before.
+// Of two types, from their like pairs. Surfaces without friction have none with others; two other
+// laws must be the same: check laws_agree() before.
 inline bool laws_agree(const TypeCoeffs &one, const TypeCoeffs &other)
 {
   return one.law == other.law || one.law == FrictionLaw::NONE || other.law == FrictionLaw::NONE;

@@ -38,9 +38,9 @@ constexpr unsigned canonical(unsigned mask)
   return mask & FRICTION ? mask : mask & ~THRESHOLD;
 }
 
-// The loop is compiled for some combinations only. This is the one that has all effects of a mask; those
-// that it has besides do nothing: films by ends of infinity (without_films()), a critical load by its
-// coefficients. What a deck often leaves out is exact, so that it costs nothing.
+// The loop is compiled for some combinations only. This is the one that has all effects of a mask;
+// those that it has besides do nothing: films by ends of infinity (without_films()), a critical
+// load by its coefficients. What a deck often leaves out is exact, so that it costs nothing.
 constexpr unsigned covering(unsigned mask)
 {
   const unsigned extensions = mask & EXTENSIONS;
@@ -55,8 +55,8 @@ constexpr unsigned covering(unsigned mask)
   return (mask & SQUEEZE) | extensions | films | friction;
 }
 
-// All masks that cover some, with the extensions X of the normal mode; without any X the two sets of
-// friction are one.
+// All masks that cover some, with the extensions X of the normal mode; without any X the two sets
+// of friction are one.
 template <unsigned X, unsigned... MASK>
 constexpr auto with_extensions(std::integer_sequence<unsigned, MASK...>)
 {
@@ -121,8 +121,8 @@ template <unsigned MASK> struct Effects {
       (tangential ? 4 : 0) + (roll ? 8 : 0) + (twist ? 16 : 0) + (adhesion ? 32 : 0);
 };
 
-// The one way from a mask at run time to compiled effects: calls f(Effects<instance>()) if the instance is
-// one of those listed.
+// The one way from a mask at run time to compiled effects: calls f(Effects<instance>()) if the
+// instance is one of those listed.
 template <class F, unsigned... MASK>
 void with_one_of(std::integer_sequence<unsigned, MASK...>, unsigned instance, F &&f)
 {

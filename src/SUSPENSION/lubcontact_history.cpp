@@ -39,8 +39,8 @@ LubcontactHistory::~LubcontactHistory()
 
 /* ----------------------------------------------------------------------
    Keeps the place of the history among the fixes until its size is known. The number is the lowest
-   free one: a restarted script finds its history whatever pair styles either script had. An orphan has
-   followed the atoms of a restart file for a pair style that was given again
+   free one: a restarted script finds its history whatever pair styles either script had. An orphan
+   has followed the atoms of a restart file for a pair style that was given again
 ------------------------------------------------------------------------- */
 
 void LubcontactHistory::find_place()

@@ -7,7 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The history of the pairs of one pair style: the fix that carries it, and its place among the fixes.
+// The history of the pairs of one pair style: the fix that carries it, and its place among the
+// fixes.
 
 #ifndef LMP_LUBCONTACT_HISTORY_H
 #define LMP_LUBCONTACT_HISTORY_H

@@ -298,8 +298,8 @@ void warn_density(LAMMPS *lmp, int itype, const Type &type, const UnitScale &uni
                         type.density, itype, type.material->name, expected);
 }
 
-// Words of pair_coeff behind the types: springs, then what file and command say of the surfaces. Words
-// of the command are those of the input line, so that an error in them is shown there.
+// Words of pair_coeff behind the types: springs, then what file and command say of the surfaces.
+// Words of the command are those of the input line, so that an error in them is shown there.
 struct PairWords {
   Words made;
   std::vector<char *> all;

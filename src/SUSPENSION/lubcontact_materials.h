@@ -7,7 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// pair_coeff * * file name1 name2 ...: coefficients of pair style lubcontact from a file of materials.
+// pair_coeff * * file name1 name2 ...: coefficients of pair style lubcontact from a file of
+// materials.
 
 #ifndef LMP_LUBCONTACT_MATERIALS_H
 #define LMP_LUBCONTACT_MATERIALS_H

@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The pairs of one pair style: its neighbor list with range, faces and history. Answers which of them
-// act, what they remember, and goes through them for others.
+// The pairs of one pair style: its neighbor list with range, faces and history. Answers which of
+// them act, what they remember, and goes through them for others.
 
 #ifndef LMP_LUBCONTACT_PAIRS_H
 #define LMP_LUBCONTACT_PAIRS_H

@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Which pairs act: the one answer for the forces, for whoever visits the pairs, for single() and for
-// the bound of the time step.
+// Which pairs act: the one answer for the forces, for whoever visits the pairs, for single() and
+// for the bound of the time step.
 
 #ifndef LUBCONTACT_RANGE_H
 #define LUBCONTACT_RANGE_H
@@ -27,8 +27,8 @@ struct RangeOf {
   double radius;
   Radius rule;
 
-  // Effective radius of the pair if it acts, else 0; rsq: distance of the centers squared, n: place of
-  // the partner in the list. What touches acts without a common face.
+  // Effective radius of the pair if it acts, else 0; rsq: distance of the centers squared, n: place
+  // of the partner in the list. What touches acts without a common face.
   double acting(double rsq, double radius_j, int type_j, int n) const
   {
     // a is at most the mean radius: most pairs out of range need no division

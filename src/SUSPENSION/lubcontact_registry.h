@@ -7,9 +7,9 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The effects of the pair law, one row each: how they are called, when a pair of types has them, where
-// they show in stress and power. What lists effects is a loop over these rows; what is compiled for
-// each of them is in lubcontact_effects.h.
+// The effects of the pair law, one row each: how they are called, when a pair of types has them,
+// where they show in stress and power. What lists effects is a loop over these rows; what is
+// compiled for each of them is in lubcontact_effects.h.
 
 #ifndef LUBCONTACT_REGISTRY_H
 #define LUBCONTACT_REGISTRY_H

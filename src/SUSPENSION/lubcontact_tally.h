@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Stress and power by origin of one pair style, in the steps for which a compute has asked: who asks,
-// and this rank's sums.
+// Stress and power by origin of one pair style, in the steps for which a compute has asked: who
+// asks, and this rank's sums.
 
 #ifndef LMP_LUBCONTACT_TALLY_H
 #define LMP_LUBCONTACT_TALLY_H

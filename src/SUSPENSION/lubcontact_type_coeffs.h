@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Coefficients of pair style lubcontact by pair of types: typed, mixed, checked, stored, printed. All
-// of it are loops over the table in lubcontact_coeffs.h.
+// Coefficients of pair style lubcontact by pair of types: typed, mixed, checked, stored, printed.
+// All of it are loops over the table in lubcontact_coeffs.h.
 
 #ifndef LMP_LUBCONTACT_TYPE_COEFFS_H
 #define LMP_LUBCONTACT_TYPE_COEFFS_H
@@ -63,8 +63,8 @@ std::string surface_words(const Lubcontact_NS::TypeCoeffs &);
 // words of pair_style behind its name; the viscosity as a number or v_name
 std::string style_words(const Lubcontact_NS::Settings &, const std::string &viscosity);
 
-// place of this word in the input line, for the mark under it: hybrid shifts words, a data file has no
-// line
+// place of this word in the input line, for the mark under it: hybrid shifts words, a data file has
+// no line
 int place_of(class Input *, const char *word);
 
 }    // namespace LAMMPS_NS

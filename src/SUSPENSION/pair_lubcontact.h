@@ -37,7 +37,8 @@ class LubcontactPairs;
 class LubcontactTally;
 class LubcontactTypeCoeffs;
 
-// LAMMPS' side of the pair law: it fetches and delegates. What it has belongs to objects of their own.
+// LAMMPS' side of the pair law: it fetches and delegates. What it has belongs to objects of their
+// own.
 class PairLubcontact : public Pair {
  public:
   PairLubcontact(class LAMMPS *);
@@ -66,7 +67,8 @@ class PairLubcontact : public Pair {
   void unpack_reverse_comm(int, int *, double *) override;
   double memory_usage() override;
 
-  // what the user has given: arguments of pair_style, coefficients of the pairs of types that have any
+  // what the user has given: arguments of pair_style, coefficients of the pairs of types that have
+  // any
   const Lubcontact_NS::Settings &settings() const { return *given; }
   Lubcontact_NS::Law law() const;
   void adopt(const Lubcontact_NS::Law &);    // instead, from the next run on

@@ -7,10 +7,10 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The radical (power) tessellation of the particles, in any cell of LAMMPS, on any number of ranks: each
-// rank makes the cells of its own particles, from ghosts that reach as far as it takes. Dual of the
-// regular triangulation of D. Marzougui, B. Chareyre, J. Chauchat, Granular Matter 17, 297 (2015).
-// Cells: C.H. Rycroft, Voro++, Chaos 19, 041111 (2009).
+// The radical (power) tessellation of the particles, in any cell of LAMMPS, on any number of ranks:
+// each rank makes the cells of its own particles, from ghosts that reach as far as it takes. Dual
+// of the regular triangulation of D. Marzougui, B. Chareyre, J. Chauchat, Granular Matter 17, 297
+// (2015). Cells: C.H. Rycroft, Voro++, Chaos 19, 041111 (2009).
 // The face of two spheres is in the plane of equal tangents, which separates spheres of any sizes
 // that do not overlap, so that two spheres that touch always share one.
 
@@ -52,13 +52,14 @@ class RadicalTessellation : protected Pointers {
   static bool has_library();    // Voro++; all others are errors without it
   static const char *const NO_LIBRARY;
 
-  // ghost atoms out to a distance that decides the faces of dense suspensions; and as before, unless
-  // comm_modify has set another since
+  // ghost atoms out to a distance that decides the faces of dense suspensions; and as before,
+  // unless comm_modify has set another since
   void request_ghosts(double largest_radius);
   void return_ghosts();
 
-  // A cell with its neighbors and the areas of the faces, in 2d lengths; neighbors are negative where it
-  // ends at a boundary. Faces that ghosts do not reach far enough to decide are errors when asked for.
+  // A cell with its neighbors and the areas of the faces, in 2d lengths; neighbors are negative
+  // where it ends at a boundary. Faces that ghosts do not reach far enough to decide are errors
+  // when asked for.
   struct Cell {
     int owner;    // local index
     std::vector<int> neighbors;

@@ -45,8 +45,8 @@ inline const double *part_of_atom(const double *values, int n, int total)
   return values + static_cast<int>(begin);
 }
 
-// What a fix writes once: a mark with the length, the state, its seal. The length comes first, because
-// LAMMPS hands over what it has read without saying how much that is.
+// What a fix writes once: a mark with the length, the state, its seal. The length comes first,
+// because LAMMPS hands over what it has read without saying how much that is.
 template <class State> struct Sealed {
   static_assert(std::is_trivially_copyable<State>::value && sizeof(State) % sizeof(double) == 0,
                 "doubles only: padding has no value to be sealed");

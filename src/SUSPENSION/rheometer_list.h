@@ -9,12 +9,12 @@
 
 // How long a neighbor list lives in a flow.
 //
-// A list holds all pairs that were closer than cut + skin. With F the affine deformation since then and
-// d what a particle has moved besides, a pair that was r apart is now at F r + d_i - d_j. So every pair
-// that is not in the list is farther apart than cut for as long as
+// A list holds all pairs that were closer than cut + skin. With F the affine deformation since then
+// and d what a particle has moved besides, a pair that was r apart is now at F r + d_i - d_j. So
+// every pair that is not in the list is farther apart than cut for as long as
 //   s (cut + skin) - |d_i - d_j| >= cut,    s the smallest stretch (singular value) of F.
-// Any F may be the reference that maps the periodic images as the cell does: the better it follows the
-// particles, the smaller is d, and the longer a list lives. LAMMPS takes F = 1.
+// Any F may be the reference that maps the periodic images as the cell does: the better it follows
+// the particles, the smaller is d, and the longer a list lives. LAMMPS takes F = 1.
 
 #ifndef LMP_RHEOMETER_LIST_H
 #define LMP_RHEOMETER_LIST_H
@@ -42,7 +42,8 @@ inline Deformation deformation(const Cell &h0, const Cell &h)
   return f;
 }
 
-// shortest length that a vector of length 1 is mapped to; 0 if F turns a direction over or is singular
+// shortest length that a vector of length 1 is mapped to; 0 if F turns a direction over or is
+// singular
 inline double smallest_stretch(const Deformation &f, int dimension)
 {
   // singular values of (xx xy; 0 yy): half the sum and half the difference of two lengths
@@ -71,8 +72,8 @@ struct Scatter {
   }
 };
 
-// upper bound of |d_i - d_j|: twice the longest, or the diagonal of the box around them, which a common
-// drift does not lengthen
+// upper bound of |d_i - d_j|: twice the longest, or the diagonal of the box around them, which a
+// common drift does not lengthen
 inline double largest_difference(const Scatter &s)
 {
   double square = 0.0;

@@ -13,18 +13,18 @@
 //   I de/dt + C e = p - P,              C^2 = (P/(K w))^2 + 8 I0 P,   I = lag P/(K w1^2) + I0,
 //   I dg/dt + (T eta + D) g = s - s_p,  I = lag |s|/(g^2 + |g|/t + (floor/t)^2) + I0,   |e| <= P/C
 //
-// with w^2 = g^2 + (floor/t)^2, w1 = w but larger at rest, t = eta/P + d sqrt(rho/P) the time that a particle needs for its own
-// size under the stress: per strain while it flows, per t when it does not, so nothing has to be
-// tuned to the material. The mean of p is P because C is a constant of a steady flow; under an
-// oscillation it is the mean weighted by |g|, within 3 % for amplitudes of 0.1 and 1 % from 1 on.
-// Pressure and stress pass through a lag of 0.02 strain, which is long against contacts and films
-// and short against the structure: the loop is stable although the films answer at once (needs
-// I > eta_compression dt and I > stiffness dt^2, both far away). Where the rate is slow in units of
-// 1/t the lag is shorter: the drive starts within t, and a piston at rest does not run into the
-// jammed packing with its mass. I0 is the inertia of what moves; 8 I0 P keeps a heavy piston from
-// swinging on the softest suspension, dp/d ln V = -2 P. D stops the drive from ringing on a jammed
-// packing; it takes at most 0.1 % of the stress, at the rate below which a flow counts as jammed.
-// Each step is solved exactly for constant p.
+// with w^2 = g^2 + (floor/t)^2, w1 = w but larger at rest, t = eta/P + d sqrt(rho/P) the time that
+// a particle needs for its own size under the stress: per strain while it flows, per t when it does
+// not, so nothing has to be tuned to the material. The mean of p is P because C is a constant of a
+// steady flow; under an oscillation it is the mean weighted by |g|, within 3 % for amplitudes of
+// 0.1 and 1 % from 1 on. Pressure and stress pass through a lag of 0.02 strain, which is long
+// against contacts and films and short against the structure: the loop is stable although the films
+// answer at once (needs I > eta_compression dt and I > stiffness dt^2, both far away). Where the
+// rate is slow in units of 1/t the lag is shorter: the drive starts within t, and a piston at rest
+// does not run into the jammed packing with its mass. I0 is the inertia of what moves; 8 I0 P keeps
+// a heavy piston from swinging on the softest suspension, dp/d ln V = -2 P. D stops the drive from
+// ringing on a jammed packing; it takes at most 0.1 % of the stress, at the rate below which a flow
+// counts as jammed. Each step is solved exactly for constant p.
 
 #ifndef LMP_RHEOMETER_SERVO_H
 #define LMP_RHEOMETER_SERVO_H

@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// What the styles of the package ask of the LAMMPS that they run in: who else is here, what the cell
-// and the particles are, what every style demands. Knows no style of the package.
+// What the styles of the package ask of the LAMMPS that they run in: who else is here, what the
+// cell and the particles are, what every style demands. Knows no style of the package.
 
 #ifndef LMP_SUSPENSION_HOST_H
 #define LMP_SUSPENSION_HOST_H
@@ -29,8 +29,8 @@ namespace LAMMPS_NS::Suspension_NS {
 
 std::vector<Pair *> all_lubcontact(LAMMPS *);    // pair style lubcontact, all sub-styles of hybrid
 
-// viscosity of their fluid, pressure*time over LAMMPS' unit of pressure; null without them, if it is a
-// variable, or if they do not agree
+// viscosity of their fluid, pressure*time over LAMMPS' unit of pressure; null without them, if it
+// is a variable, or if they do not agree
 const double *viscosity_of_pair(LAMMPS *);
 std::string why_no_viscosity(LAMMPS *);    // then, in words
 

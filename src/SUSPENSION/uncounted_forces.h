@@ -20,7 +20,8 @@ class LAMMPS;
 // stops where the sum would mean nothing: constraint forces
 void refuse_constraints(LAMMPS *, const std::string &who);
 
-// what else is left out, in words; empty: nothing. With other pair styles than lubcontact or without
+// what else is left out, in words; empty: nothing. With other pair styles than lubcontact or
+// without
 std::string uncounted_forces(LAMMPS *, bool other_pairs);
 
 // both, for a compute that sums up forces by origin; warns once for all of them

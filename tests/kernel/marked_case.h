@@ -1,5 +1,5 @@
-// All functions that a device would call, as numbers. test_defs.cpp compiles them as the package does,
-// marked.cpp as a device compiler would: marked, without exceptions.
+// All functions that a device would call, as numbers. test_defs.cpp compiles them as the package
+// does, marked.cpp as a device compiler would: marked, without exceptions.
 
 #ifndef KERNEL_MARKED_CASE_H
 #define KERNEL_MARKED_CASE_H

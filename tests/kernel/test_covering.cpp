@@ -1,4 +1,5 @@
-// The instances of the loop that cover others: what they have besides does nothing, to the last bit.
+// The instances of the loop that cover others: what they have besides does nothing, to the last
+// bit.
 
 #include "lubcontact_batch.h"
 
@@ -147,7 +148,8 @@ TEST(Covering, OfACriticalLoad)
   compare<SQUEEZE | FRICTION | SHEAR | REPULSION>();
 }
 
-// All masks are covered by themselves or by more, and what covers them is compiled: once, in one share.
+// All masks are covered by themselves or by more, and what covers them is compiled: once, in one
+// share.
 TEST(Covering, IsWhatIsCompiled)
 {
   for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {

@@ -46,7 +46,8 @@ TEST(Effects, ThresholdIsNothingWithoutFriction)
   }
 }
 
-// What the compiler knows of a mask, as numbers: the tests below are compiled once, not for each mask.
+// What the compiler knows of a mask, as numbers: the tests below are compiled once, not for each
+// mask.
 struct Traits {
   bool squeeze, shear, friction, roll, twist, threshold, adhesion, repulsion;
   unsigned normal;

@@ -1,4 +1,5 @@
-// Momentum of fluctuations: the definition in two passes, no effect of a common drift, parts that add up.
+// Momentum of fluctuations: the definition in two passes, no effect of a common drift, parts that
+// add up.
 
 #include "lubcontact_inertia.h"
 

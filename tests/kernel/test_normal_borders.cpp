@@ -74,8 +74,8 @@ TEST(Repulsion, ChangesLittleWithinAQuarterOfItsLength)
 
 TEST(Repulsion, ALongStepIsTakenInPiecesOfSmallChanges)
 {
-  // onto a repulsion whose length is a hundredth of the way; oracle: dy/dt = un + p exp(-k u) - u by the
-  // rule of Runge and Kutta
+  // onto a repulsion whose length is a hundredth of the way; oracle: dy/dt = un + p exp(-k u) - u
+  // by the rule of Runge and Kutta
   NormalCoeffs c = make_coeffs(1000.0, 1000.0, 0.0);
   c.repulsion = {20.0, 1000.0};
   const double viscosity = 1.0, dt = 0.5, speed = 0.3, p = 0.02, k = 1000.0;

@@ -1,5 +1,5 @@
-// Even and odd powers side by side give what Horner's rule gives; exponential and logarithm are exact
-// to rounding.
+// Even and odd powers side by side give what Horner's rule gives; exponential and logarithm are
+// exact to rounding.
 
 #include "lubcontact_polynomial.h"
 

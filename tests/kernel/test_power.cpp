@@ -1,4 +1,5 @@
-// Shows that the heat and the stored energy of a step add up to the work done on the pair, by origin.
+// Shows that the heat and the stored energy of a step add up to the work done on the pair, by
+// origin.
 
 #include "lubcontact_power.h"
 #include "tools.h"

@@ -1,4 +1,5 @@
-// Shows force and energy of the screened repulsion, Lambert's W, and the gap at which it is balanced.
+// Shows force and energy of the screened repulsion, Lambert's W, and the gap at which it is
+// balanced.
 
 #include "lubcontact_repulsion.h"
 #include "reference/laws_reference.h"

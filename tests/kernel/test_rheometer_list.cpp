@@ -57,7 +57,8 @@ TEST(SmallestStretch, IsTheShortestImageOfAUnitVector)
     }
 }
 
-// Simple shear by g: singular values sqrt(1 + g^2/4) -+ g/2 (their product is 1, their difference g).
+// Simple shear by g: singular values sqrt(1 + g^2/4) -+ g/2 (their product is 1, their difference
+// g).
 TEST(SmallestStretch, OfSimpleShear)
 {
   for (double g : {0.0, 1e-12, 1e-3, 0.05, -0.3, 2.0}) {

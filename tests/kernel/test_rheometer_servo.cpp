@@ -1,5 +1,5 @@
-// Shows that the servos settle on what is asked for, without tuning, over the whole range of materials
-// for which they are meant. What they act on are models of a few equations, below.
+// Shows that the servos settle on what is asked for, without tuning, over the whole range of
+// materials for which they are meant. What they act on are models of a few equations, below.
 
 #include "rheometer_servo.h"
 #include "tools.h"
@@ -19,10 +19,10 @@ constexpr double A = 1.0;    // radius of the particles
    Its unstressed volume fraction phi_e, the state of its structure, approaches jamming as films and
    collisions allow; the contacts carry the pressure as springs in series:
      d ln phi_e/dt = (p X/eta - |g|)/film,   X = (phi_m/phi_e - 1)^2,   p = modulus ln(phi/phi_e)
-   At a steady rate that is p X = eta |g|: the law phi = phi_m/(1 + sqrt(Iv)) of Boyer et al. (2011).
-   Compressed at the rate e the pressure is p + film eta e/X: the viscosity of compression is
-   `film` eta/Iv. For a dry suspension eta is that of the collisions, density d^2 |g| times INERTIAL,
-   so that X is Iv + INERTIAL I^2 (Trulsson et al. 2012).
+   At a steady rate that is p X = eta |g|: the law phi = phi_m/(1 + sqrt(Iv)) of Boyer et al.
+   (2011). Compressed at the rate e the pressure is p + film eta e/X: the viscosity of compression
+   is `film` eta/Iv. For a dry suspension eta is that of the collisions, density d^2 |g| times
+   INERTIAL, so that X is Iv + INERTIAL I^2 (Trulsson et al. 2012).
    The shear stress rises with the modulus, too, and flows where its friction exceeds that of
    mu = mu1 + 5/2 phi_m sqrt(X) + Iv, of which the fluid has the last term. */
 struct Suspension {
@@ -440,8 +440,8 @@ TEST(PressureServo, FollowsStepsOfPressureAndRateByAThousand)
 
 TEST(PressureServo, HoldsThePressureOfAnOscillation)
 {
-  // The rate goes through zero: averages are weighted by |rate|. The lag, which grows where the rate
-  // is small, correlates with the pressure: up to 3 % where a swing is not long against it.
+  // The rate goes through zero: averages are weighted by |rate|. The lag, which grows where the
+  // rate is small, correlates with the pressure: up to 3 % where a swing is not long against it.
   for (const double amplitude : {0.1, 1.0, 5.0})
     for (const double viscous_number : {1e-3, 0.1, 1.0}) {
       Draw d = wet(viscous_number, 0.01, 1e4, 2.0);

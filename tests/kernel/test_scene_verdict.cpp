@@ -126,7 +126,8 @@ TEST(SceneVerdict, FilmsAreIdleAtLargeStokesNumbers)    // impact St = 4 St/9, d
     expect_flip(e, &Scene::density, 1125.0, NEEDED, NOT_NEEDED);
 }
 
-// left out only where films carry little, nothing collides, and it was measured: friction 0.5, phi 0.54
+// left out only where films carry little, nothing collides, and it was measured: friction 0.5, phi
+// 0.54
 TEST(SceneVerdict, SqueezeFilmIsLeftOutWhereThatWasMeasured)
 {
   Scene s = paste();
@@ -228,7 +229,8 @@ TEST(SceneVerdict, FrictionIsNotNeededBelowTheCriticalLoad)
   EXPECT_EQ(answer(s, FRICTION_LAW), NEEDED);
 }
 
-// several pairs of types: the smallest load decides whether any contact rubs, the largest whether all do
+// several pairs of types: the smallest load decides whether any contact rubs, the largest whether
+// all do
 TEST(SceneVerdict, CriticalLoadsOfSeveralTypes)
 {
   Scene s = paste();

@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// fix ID group rigid/claim: claims to hold rigid bodies and does nothing. For tests with a LAMMPS that
-// was built without its package RIGID.
+// fix ID group rigid/claim: claims to hold rigid bodies and does nothing. For tests with a LAMMPS
+// that was built without its package RIGID.
 
 #include "fix.h"
 #include "lammpsplugin.h"

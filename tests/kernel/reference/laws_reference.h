@@ -27,8 +27,8 @@ static constexpr LambertCase LAMBERT_CASES[] = {
     {100000.0, 99988.487189669759},
 };
 
-// ln u of a pair under the smooth motion un = c0 + c1 cos(w t + phase), lengths in a, forces in g a,
-// time in tau, at times end n/16, n = 1..16.
+// ln u of a pair under the smooth motion un = c0 + c1 cos(w t + phase), lengths in a, forces in g
+// a, time in tau, at times end n/16, n = 1..16.
 // Solver: SciPy 1.10.1 DOP853, rtol 3e-14, restarted at each transition of the contact;
 // Radau at rtol 1e-12 differs by 3e-11 at most.
 struct LawsCase {
