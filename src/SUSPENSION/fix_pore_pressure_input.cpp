@@ -277,14 +277,14 @@ void FixPorePressure::make_grid()
     grid.ny = number[1];
     grid.nz = number[2];
   }
-  const int of_grid[3] = {grid.nx, grid.ny, grid.nz};
+  const int counts[3] = {grid.nx, grid.ny, grid.nz};
   for (int k = 0; k < domain->dimension; k++)
-    if (height[k] / of_grid[k] < d * (1.0 - 1e-10))
+    if (height[k] / counts[k] < d * (1.0 - 1e-10))
       error->all(
           FLERR,
           "Fix pore/pressure: the elements of the grid are {:.4g} along {}, smaller than the "
           "mean diameter {:.4g} of the particles, whose pores they cannot see: use a coarser "
           "grid",
-          height[k] / of_grid[k], "xyz"[k], d);
+          height[k] / counts[k], "xyz"[k], d);
   field->set_grid(grid);
 }
