@@ -34,7 +34,7 @@ using Pore_NS::Wall;
 
 FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new PoreSettings()), field(new PoreField(lmp)), plates(nullptr),
-    force_of_atom(nullptr), work(0.0), tilt(0.0)
+    force_of_atom(nullptr), work(0.0), made_for(-1.0), tilt{}
 {
   if (!PoreField::has_library())
     error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
@@ -43,8 +43,8 @@ FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
   vector_flag = 1;
   size_vector = Output::NUM;
   array_flag = 1;
-  size_array_rows = 1;
-  size_array_rows_variable = 1;
+  size_array_rows = MAX(settings->elements[1], 1);
+  size_array_rows_variable = settings->elements[1] == 0;
   size_array_cols = Output::NUM_COLUMNS;
   extvector = extarray = 0;
   peratom_flag = 1;
@@ -128,19 +128,17 @@ FixPorePressure::Now FixPorePressure::now()
 }
 
 /* ----------------------------------------------------------------------
-   A pressure that is known, from a restart file or the last run, has made the forces of this moment
+   A pressure that is known, from a restart file or the last run, has made the forces of this moment.
+   The first one is that of half a step: velocities are those of the same moment as positions.
 ------------------------------------------------------------------------- */
 
-void FixPorePressure::setup(int vflag)
+void FixPorePressure::setup(int /*vflag*/)
 {
   make_grid();
-  tilt = domain->xy;
-  if (!field->has_pressure()) {
-    post_force(vflag);
-    return;
-  }
+  has_flipped();
   const Now n = now();
   field->deposit(n.cell, n.bits, n.fluid);
+  if (!field->has_pressure()) field->advance(0.5 * update->dt, n.fluid);
   field->add_forces(n.lower_bits, n.upper_bits, n.fluid);
   keep_forces();
 }
@@ -148,27 +146,50 @@ void FixPorePressure::setup(int vflag)
 void FixPorePressure::post_force(int /*vflag*/)
 {
   const Now n = now();
-  const double jump = fabs(domain->xy - tilt);
-  if (!plates && jump > 0.5 * domain->xprd) field->forget();    // the cell has flipped
-  tilt = domain->xy;
+  if (has_flipped()) field->forget();
   field->deposit(n.cell, n.bits, n.fluid);
   field->advance(update->dt, n.fluid);
   field->add_forces(n.lower_bits, n.upper_bits, n.fluid);
+  measure_work();
   keep_forces();
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   since the last call: nodes are then not mapped onto nodes
+------------------------------------------------------------------------- */
 
-void FixPorePressure::keep_forces()
+bool FixPorePressure::has_flipped()
+{
+  const double now[3] = {domain->xy, domain->xz, domain->yz};
+  const double edge[3] = {domain->xprd, domain->xprd, domain->yprd};
+  bool jump = false;
+  for (int d = 0; d < 3; d++) {
+    if (fabs(now[d] - tilt[d]) > 0.5 * edge[d]) jump = true;
+    tilt[d] = now[d];
+  }
+  return jump;
+}
+
+/* ----------------------------------------------------------------------
+   the velocity is that of the last step, the work that of the mean force
+------------------------------------------------------------------------- */
+
+void FixPorePressure::measure_work()
 {
   const auto &forces = field->forces();
   work = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
-    // the velocity is that of the last step, the work that of the mean force
     const auto flow = Suspension_NS::cell_velocity(domain, atom->x[i]);
     const double f[3] = {forces[i].x, forces[i].y, forces[i].z};
     for (int d = 0; d < 3; d++)
       work += 0.5 * (force_of_atom[i][d] + f[d]) * (atom->v[i][d] - flow[d]);
+  }
+}
+
+void FixPorePressure::keep_forces()
+{
+  const auto &forces = field->forces();
+  for (int i = 0; i < atom->nlocal; i++) {
     force_of_atom[i][0] = forces[i].x;
     force_of_atom[i][1] = forces[i].y;
     force_of_atom[i][2] = forces[i].z;
@@ -246,8 +267,7 @@ double FixPorePressure::compute_vector(int n)
 double FixPorePressure::compute_array(int i, int j)
 {
   const auto layers = field->profile();
-  size_array_rows = static_cast<int>(layers.size());
-  if (i >= size_array_rows) return 0.0;
+  if (i >= static_cast<int>(layers.size())) return 0.0;
   const double unit = force->nktv2p;
   const double values[] = {layers[i].y, layers[i].p * unit, layers[i].phi, layers[i].u_y,
                            layers[i].q_y};
@@ -280,7 +300,7 @@ double FixPorePressure::memory_usage()
    a head with its seal, which says how much follows; the pressure, and its seal
 ------------------------------------------------------------------------- */
 
-static constexpr std::size_t HEAD = 7;
+static constexpr std::size_t HEAD = 8;
 
 static double seal_of(const double *values, std::size_t number)
 {
@@ -292,10 +312,10 @@ void FixPorePressure::write_restart(FILE *fp)
   if (comm->me) return;
   const Pore_NS::Grid &grid = field->grid();
   const Pore_NS::Field &p = field->pressure();
-  std::vector<double> record = {static_cast<double>(p.size()),    static_cast<double>(grid.nx),
-                                static_cast<double>(grid.ny),     static_cast<double>(grid.nz),
-                                static_cast<double>(grid.lower),  static_cast<double>(grid.upper),
-                                field->has_pressure() ? 1.0 : 0.0};
+  std::vector<double> record = {static_cast<double>(p.size()),     static_cast<double>(grid.nx),
+                                static_cast<double>(grid.ny),      static_cast<double>(grid.nz),
+                                static_cast<double>(grid.lower),   static_cast<double>(grid.upper),
+                                field->has_pressure() ? 1.0 : 0.0, made_for};
   record.push_back(seal_of(record.data(), HEAD));
   record.insert(record.end(), p.begin(), p.end());
   record.push_back(seal_of(p.data(), p.size()));
@@ -319,6 +339,7 @@ void FixPorePressure::restart(char *buffer)
   grid.lower = static_cast<Wall>(static_cast<int>(head[4]));
   grid.upper = static_cast<Wall>(static_cast<int>(head[5]));
   if (grid.lower != settings->lower || grid.upper != settings->upper || head[6] == 0.0) return;
+  made_for = head[7];
   field->set_grid(grid);
   if (number == grid.nodes()) field->take_pressure({p, p + number});
 }

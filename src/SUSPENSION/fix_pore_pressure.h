@@ -66,7 +66,8 @@ class FixPorePressure : public Fix {
   FixRheometerPlates *plates;
   double **force_of_atom;    // for output, force
   double work;               // of the last step on the particles of this rank, energy/time
-  double tilt;               // of the last step: a flip maps no nodes onto nodes
+  double made_for;           // spacing asked for when the grid was made; -1: there is none
+  double tilt[3];            // of the last step: xy, xz, yz
 
   void parse(int, char **);
   int parse_keyword(int, int, char **);
@@ -76,6 +77,8 @@ class FixPorePressure : public Fix {
   void make_grid();
   struct Now;
   Now now();
+  bool has_flipped();
+  void measure_work();
   void keep_forces();
 };
 

@@ -214,6 +214,7 @@ void PoreField::add_forces(int lower_bits, int upper_bits, const Fluid &fluid)
   double mine[5] = {}, all[5];    // force, particles of the plates
   for (const Particle &one : particles) {
     pushed[one.i] = pore_force(one.stencil, volume, gradient);
+    if (domain->dimension == 2) pushed[one.i].z = 0.0;    // but for rounding it is
     mine[0] += pushed[one.i].x;
     mine[1] += pushed[one.i].y;
     mine[2] += pushed[one.i].z;
@@ -239,6 +240,7 @@ void PoreField::add_forces(int lower_bits, int upper_bits, const Fluid &fluid)
 
 void PoreField::see(const Fluid &fluid)
 {
+  seen.gradient = fluid.gradient;
   seen.mean = mean_pressure(lattice, p);
   seen.largest = 0.0;
   for (const double value : p) seen.largest = MAX(seen.largest, fabs(value));
@@ -263,7 +265,7 @@ std::vector<PoreField::Layer> PoreField::profile() const
 {
   std::vector<Layer> layers(lattice.ny);
   if (elements.empty()) return layers;
-  const std::vector<Vec3> gradient = gradients(lattice, p);
+  const std::vector<Vec3> gradient = gradients(lattice, p, seen.gradient);
   const int size = lattice.layer_size();
   for (int j = 0; j < lattice.ny; j++) {
     Layer &layer = layers[j];

@@ -67,6 +67,7 @@ class PoreField : protected Pointers {
     double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures
     Pore_NS::WallFlux flux;                                        // volume/time
     double dissipation = 0.0;                                      // power
+    Lubcontact_NS::Vec3 gradient;                                  // the mean one that was given
     double total[3] = {};                                          // force on all particles
     Pore_NS::Convergence convergence;
     double k_min = 0.0, k_max = 0.0;

@@ -246,7 +246,8 @@ double FixPorePressure::mean_diameter() const
 }
 
 /* ----------------------------------------------------------------------
-   for this run: elements no smaller than asked for
+   Elements no smaller than asked for. The first run makes them; later ones, from a restart file, too,
+   keep their number unless the script asks for another.
 ------------------------------------------------------------------------- */
 
 void FixPorePressure::make_grid()
@@ -263,20 +264,20 @@ void FixPorePressure::make_grid()
     height[1] = top - bottom;
   }
   const double d = mean_diameter();
-  const double wanted = settings->spacing > 0.0 ? settings->spacing : SPACING * d;
-  int number[3];
-  for (int k = 0; k < 3; k++) {
-    number[k] = settings->elements[k];
-    if (!number[k]) number[k] = MAX(1, static_cast<int>(height[k] / wanted * (1.0 + 1e-10)));
-  }
-  if (flat) number[2] = 1;
-  // one of a restart file is kept unless the script asks for another
-  const bool asked = settings->elements[0] || settings->spacing > 0.0;
-  if (asked || !field->has_pressure()) {
+  const int *given = settings->elements;
+  const bool keep = made_for == settings->spacing &&
+      (!given[0] || (given[0] == grid.nx && given[1] == grid.ny && given[2] == grid.nz));
+  if (!keep) {
+    const double wanted = settings->spacing > 0.0 ? settings->spacing : SPACING * d;
+    int number[3];
+    for (int k = 0; k < 3; k++)
+      number[k] = given[k] ? given[k]
+                           : MAX(1, static_cast<int>(height[k] / wanted * (1.0 + 1e-10)));
     grid.nx = number[0];
     grid.ny = number[1];
-    grid.nz = number[2];
+    grid.nz = flat ? 1 : number[2];
   }
+  made_for = settings->spacing;
   const int counts[3] = {grid.nx, grid.ny, grid.nz};
   for (int k = 0; k < domain->dimension; k++)
     if (height[k] / counts[k] < d * (1.0 - 1e-10))
@@ -287,4 +288,5 @@ void FixPorePressure::make_grid()
           "grid",
           height[k] / counts[k], "xyz"[k], d);
   field->set_grid(grid);
+  size_array_rows = grid.ny;
 }
