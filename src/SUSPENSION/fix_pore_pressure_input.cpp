@@ -179,12 +179,34 @@ void FixPorePressure::init()
     if (!plates)
       error->all(FLERR, "Fix pore/pressure plates: {} is not the ID of a fix rheometer/plates",
                  settings->plates);
+    check_plates();
   } else
     for (int d = 0; d < domain->dimension; d++)
       if (!domain->periodicity[d])
         error->all(FLERR,
                    "Fix pore/pressure needs a periodic cell, or along y the plates of a fix "
                    "rheometer/plates: add plates fix-ID lower drained upper drained");
+}
+
+/* ----------------------------------------------------------------------
+   a fluid that is incompressible needs a way out, and a servo time to see what its motion does
+------------------------------------------------------------------------- */
+
+void FixPorePressure::check_plates() const
+{
+  const bool acts = settings->coupling != PoreField::Coupling::OFF;
+  if (!acts || settings->storage > 0.0 || settings->upper != Wall::IMPERMEABLE) return;
+  if (settings->lower == Wall::IMPERMEABLE && !plates->has_gap())
+    error->all(FLERR,
+               "Fix pore/pressure: the fluid has no way out between two impermeable plates that "
+               "approach: use drained for one of them, gap in fix {}, or storage S",
+               settings->plates);
+  if (plates->has_servo())
+    error->all(FLERR,
+               "Fix pore/pressure: the pressure on an impermeable plate answers to its motion at "
+               "once, which the servo of fix {} cannot follow: use load instead of pressure there, "
+               "or upper drained",
+               settings->plates);
 }
 
 /* ----------------------------------------------------------------------
