@@ -56,7 +56,8 @@ void FixPorePressure::parse(int narg, char **arg)
                 "fix ID group pore/pressure eta|pair ...");
   settings->viscosity_of_pair = strcmp(arg[3], "pair") == 0;
   if (!settings->viscosity_of_pair) settings->viscosity = InputNumber(lmp, arg[3]);
-  if (settings->viscosity.is_number() && settings->viscosity.value < 0.0)
+  if (!settings->viscosity_of_pair && settings->viscosity.is_number() &&
+      !(settings->viscosity.value > 0.0))
     error->all(FLERR, 3, "Fix pore/pressure viscosity must be > 0, but is {}", arg[3]);
   std::map<std::string, int> given;
   for (int iarg = 4; iarg < narg;) {
@@ -165,7 +166,9 @@ void FixPorePressure::init()
   if (settings->viscosity_of_pair && !Suspension_NS::viscosity_of_pair(lmp))
     error->all(FLERR, "Fix pore/pressure pair: {}; give the viscosity instead of pair",
                Suspension_NS::why_no_viscosity(lmp));
-  for (const InputNumber *number : settings->numbers()) number->check(lmp, style, "argument");
+  settings->viscosity.check(lmp, style, "viscosity");
+  settings->drained.check(lmp, style, "pressure");
+  for (const InputNumber &slope : settings->gradient) slope.check(lmp, style, "gradient");
   if (domain->dimension == 2 && settings->law.closure != Closure::CONSTANT)
     error->all(FLERR,
                "Fix pore/pressure in 2d has no law of permeability for discs; use: permeability "
@@ -232,6 +235,7 @@ void FixPorePressure::check_others() const
 
 void FixPorePressure::check_order() const
 {
+  if (settings->coupling == PoreField::Coupling::OFF) return;
   bool later = false;
   for (const auto &fix : modify->get_fix_list()) {
     const bool is_plates = utils::strmatch(fix->style, "^rheometer/plates");
