@@ -75,10 +75,11 @@ int FixPorePressure::setmask()
 struct FixPorePressure::Now {
   Pore_NS::Cell cell;
   PoreField::Fluid fluid;
-  int bits, lower_bits, upper_bits;
+  PoreField::Plates plates;
+  int bits;
 };
 
-FixPorePressure::Now FixPorePressure::now()
+FixPorePressure::Now FixPorePressure::now(double dt)
 {
   PoreSettings &s = *settings;
   bool variables = false;
@@ -110,9 +111,7 @@ FixPorePressure::Now FixPorePressure::now()
     n.cell.origin.y = bottom;
     n.cell.yprd = top - bottom;
     n.bits |= plates->plate_bits();
-    if (s.lower == Wall::IMPERMEABLE) n.lower_bits = plates->plate_bit(0);
-    if (s.upper == Wall::IMPERMEABLE) n.upper_bits = plates->plate_bit(1);
-    n.fluid.wall.upper = plates->opening();
+    add_plates(n, dt);
   }
   const double unit = 1.0 / force->nktv2p;    // LAMMPS' pressure to force/area
   n.fluid.viscosity = *of_pair;
@@ -128,6 +127,32 @@ FixPorePressure::Now FixPorePressure::now()
 }
 
 /* ----------------------------------------------------------------------
+   the upper one after a step in which all forces but those of the pressure act
+------------------------------------------------------------------------- */
+
+void FixPorePressure::add_plates(Now &n, double dt) const
+{
+  PoreField::Plates &p = n.plates;
+  p.lower_bit = plates->plate_bit(0);
+  p.upper_bit = plates->plate_bit(1);
+  p.push_lower = settings->lower == Wall::IMPERMEABLE;
+  p.push_upper = settings->upper == Wall::IMPERMEABLE;
+  double mine[3] = {}, all[3];    // force along x and y, mass
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & p.upper_bit) {
+      mine[0] += atom->f[i][0];
+      mine[1] += atom->f[i][1];
+      mine[2] += atom->rmass[i];
+    }
+  MPI_Allreduce(mine, all, 3, MPI_DOUBLE, MPI_SUM, world);
+  p.mass = all[2];
+  const bool moves = settings->coupling == PoreField::Coupling::IMPLICIT;
+  if (moves) p.response = {plates->response(0, p.mass, dt), plates->response(1, p.mass, dt), 0.0};
+  p.velocity = {moves ? plates->velocity_after(0, all[0], p.mass, dt) : plates->velocity(),
+                moves ? plates->velocity_after(1, all[1], p.mass, dt) : plates->opening(), 0.0};
+}
+
+/* ----------------------------------------------------------------------
    A pressure that is known, from a restart file or the last run, has made the forces of this moment.
    The first one is that of half a step: velocities are those of the same moment as positions.
 ------------------------------------------------------------------------- */
@@ -136,20 +161,22 @@ void FixPorePressure::setup(int /*vflag*/)
 {
   make_grid();
   has_flipped();
-  const Now n = now();
-  field->deposit(n.cell, n.bits, n.fluid);
-  if (!field->has_pressure()) field->advance(0.5 * update->dt, n.fluid);
-  field->add_forces(n.lower_bits, n.upper_bits, n.fluid);
+  if (plates) plates->evaluate_targets();
+  const double half = 0.5 * update->dt;
+  const Now n = now(half);
+  field->deposit(n.cell, n.bits, n.fluid, n.plates);
+  if (!field->has_pressure()) field->advance(half, n.fluid, n.plates);
+  field->add_forces(n.fluid, n.plates);
   keep_forces();
 }
 
 void FixPorePressure::post_force(int /*vflag*/)
 {
-  const Now n = now();
+  const Now n = now(update->dt);
   if (has_flipped()) field->forget();
-  field->deposit(n.cell, n.bits, n.fluid);
-  field->advance(update->dt, n.fluid);
-  field->add_forces(n.lower_bits, n.upper_bits, n.fluid);
+  field->deposit(n.cell, n.bits, n.fluid, n.plates);
+  field->advance(update->dt, n.fluid, n.plates);
+  field->add_forces(n.fluid, n.plates);
   measure_work();
   keep_forces();
 }
@@ -228,6 +255,7 @@ int FixPorePressure::unpack_exchange(int nlocal, double *buf)
 
 double FixPorePressure::compute_vector(int n)
 {
+  if (n == Output::LOWER_FLUX || n == Output::UPPER_FLUX) measure_flow();
   const PoreField::Report &r = field->report();
   const double unit = force->nktv2p;
   switch (n) {
@@ -266,12 +294,19 @@ double FixPorePressure::compute_vector(int n)
 
 double FixPorePressure::compute_array(int i, int j)
 {
+  measure_flow();
   const auto layers = field->profile();
   if (i >= static_cast<int>(layers.size())) return 0.0;
   const double unit = force->nktv2p;
   const double values[] = {layers[i].y, layers[i].p * unit, layers[i].phi, layers[i].u_y,
                            layers[i].q_y};
   return values[j];
+}
+
+void FixPorePressure::measure_flow()
+{
+  field->measure_flow(plates ? Lubcontact_NS::Vec3{plates->velocity(), plates->opening(), 0.0}
+                             : Lubcontact_NS::Vec3());
 }
 
 double FixPorePressure::pressure_volume() const

@@ -73,12 +73,15 @@ class FixPorePressure : public Fix {
   int parse_keyword(int, int, char **);
   void check_order() const;
   void check_others() const;
+  void check_plates() const;
   double mean_diameter() const;
   void make_grid();
   struct Now;
-  Now now();
+  Now now(double);
+  void add_plates(Now &, double) const;
   bool has_flipped();
   void measure_work();
+  void measure_flow();
   void keep_forces();
 };
 

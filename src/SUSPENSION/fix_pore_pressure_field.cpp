@@ -45,7 +45,7 @@ const char *const PoreField::NO_LIBRARY =
 
 /* ---------------------------------------------------------------------- */
 
-PoreField::PoreField(LAMMPS *lmp) : Pointers(lmp), known(false) {}
+PoreField::PoreField(LAMMPS *lmp) : Pointers(lmp), known(false), nlocal(-1), measured(false) {}
 
 PoreField::~PoreField() = default;
 
@@ -88,10 +88,14 @@ static Vec3 vector_at(const double *a)
   return {a[0], a[1], a[2]};
 }
 
-void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &fluid)
+void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &fluid,
+                        const Plates &plates)
 {
   using Pore_NS::Moments;
   lattice.cell = cell;
+  of_deposit = plates;
+  nlocal = atom->nlocal;
+  measured = false;
   matrix = element_matrix(lattice);
 #ifdef SUSPENSION_FFTW
   transforms->solver.set_cell(lattice);
@@ -119,12 +123,37 @@ void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &f
   elements = make_elements(lattice, fluid.law, sums);
   mobility = mobilities(elements, fluid.viscosity);
 
+  // The plate has its mass instead of those of its particles. If that is the same, it yields less than
+  // its particles would, one by one: the bound of P holds. Half of it is for the pressure itself.
+  const double most = MAX(plates.response.x, plates.response.y);
+  const double of_plate = plates.mass * most * (plates.push_upper ? 2.0 : 1.0);
   particles.clear();
   pushed.assign(atom->nlocal, Vec3());
   for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbits)
-      particles.push_back({i, force->ftm2v / atom->rmass[i],
-                           make_stencil(lattice, m, elements, place(i), inside(i))});
+    if (atom->mask[i] & groupbits) {
+      double inverse_mass = force->ftm2v / atom->rmass[i];
+      if (atom->mask[i] & plates.lower_bit) inverse_mass = 0.0;
+      if (atom->mask[i] & plates.upper_bit) inverse_mass = of_plate / atom->rmass[i];
+      particles.push_back(
+          {i, inverse_mass, make_stencil(lattice, m, elements, place(i), inside(i))});
+    }
+}
+
+/* ----------------------------------------------------------------------
+   of a pressure on the upper plate, if that can move
+------------------------------------------------------------------------- */
+
+Vec3 PoreField::force_on_plate(const Field &of_pressure, const std::vector<Vec3> &gradient,
+                               const Plates &plates) const
+{
+  if (plates.response.x == 0.0 && plates.response.y == 0.0) return {};
+  Vec3 mine, all;
+  for (const Particle &one : particles)
+    if (atom->mask[one.i] & plates.upper_bit)
+      mine = mine + pore_force(one.stencil, lattice.element_volume(), gradient);
+  MPI_Allreduce(&mine.x, &all.x, 3, MPI_DOUBLE, MPI_SUM, world);
+  if (plates.push_upper) all.y += wall_force(lattice, of_pressure).upper;
+  return all;
 }
 
 /* ----------------------------------------------------------------------
@@ -132,20 +161,28 @@ void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &f
    forces that act and the given pressure have moved them; or what that pressure alone adds
 ------------------------------------------------------------------------- */
 
-void PoreField::sum_motion(const Field &of_pressure, double dt, bool whole,
-                           std::vector<Motion> &sums) const
+void PoreField::sum_motion(const Field &of_pressure, double dt, bool whole, const Plates &plates,
+                           std::vector<Motion> &sums, Pore_NS::WallVelocity &of_wall) const
 {
   std::vector<Motion> mine(lattice.elements());
   sums.resize(lattice.elements());
-  const double volume = lattice.element_volume();
+  const double volume = lattice.element_volume(), span = whole ? dt : 1.0;
   const std::vector<Vec3> gradient = gradients(lattice, of_pressure);
+  const Vec3 push = dt > 0.0 ? force_on_plate(of_pressure, gradient, plates) : Vec3();
+  Vec3 upper = span * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
+  if (whole) upper = upper + plates.velocity;
+  of_wall = {0.0, upper.y};
   for (const Particle &one : particles) {
-    const Vec3 by_pressure = dt > 0.0 ? pore_force(one.stencil, volume, gradient) : Vec3();
-    Vec3 v = (whole ? dt * one.inverse_mass : one.inverse_mass) * by_pressure;
-    if (whole) {
-      const auto flow = Suspension_NS::cell_velocity(domain, atom->x[one.i]);
-      v = v + vector_at(atom->v[one.i]) - Vec3{flow[0], flow[1], flow[2]} +
-          (dt * one.inverse_mass) * vector_at(atom->f[one.i]);
+    Vec3 v;
+    if (atom->mask[one.i] & plates.upper_bit)
+      v = upper;
+    else if (!(atom->mask[one.i] & plates.lower_bit)) {
+      if (dt > 0.0) v = (span * one.inverse_mass) * pore_force(one.stencil, volume, gradient);
+      if (whole) {
+        const auto flow = Suspension_NS::cell_velocity(domain, atom->x[one.i]);
+        v = v + vector_at(atom->v[one.i]) - Vec3{flow[0], flow[1], flow[2]} +
+            (dt * one.inverse_mass) * vector_at(atom->f[one.i]);
+      }
     }
     add_motion(one.stencil, v, one.inverse_mass, volume, mine.data());
   }
@@ -163,7 +200,7 @@ void PoreField::solve_constant([[maybe_unused]] const Field &r, [[maybe_unused]]
 
 /* ---------------------------------------------------------------------- */
 
-void PoreField::advance(double dt, const Fluid &fluid)
+void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
 {
   const bool moves = fluid.coupling == Coupling::IMPLICIT;
   const double step = moves ? dt : 0.0;
@@ -172,21 +209,33 @@ void PoreField::advance(double dt, const Fluid &fluid)
   if (first) p.assign(lattice.nodes(), 0.0);
   set_fixed(lattice, fluid.lower, fluid.upper, p);
 
-  sum_motion(p, step, true, motion);
-  Field r = imbalance(lattice, matrix, mobility, motion, fluid.wall, fluid.gradient, p);
+  sum_motion(p, step, true, plates, motion, wall);
+  Field r = imbalance(lattice, matrix, mobility, motion, wall, fluid.gradient, p);
   project(lattice, storage > 0.0, r);
-  const double c = Pore_NS::largest(implicit_mobilities(mobility, motion, step));
+  // what the pressure itself does to a plate: of its gradient and, if it leaks nowhere, of its mean
+  double of_plate = 0.0, of_mean = 0.0;
+  if (plates.push_upper && plates.response.y > 0.0) {
+    const double share = plates.push_lower ? 0.25 : 0.5;    // of the mass of the plate
+    of_plate = Pore_NS::wall_bound(lattice, share / plates.response.y);
+    const double area = lattice.wall_area();
+    if (plates.push_lower)
+      of_mean = step * area * area * plates.response.y /
+          (share * static_cast<double>(lattice.elements()));
+  }
+  const double c = Pore_NS::largest(implicit_mobilities(mobility, motion, step)) + step * of_plate;
+  const double s = storage + of_mean;
   Field change;
   seen.convergence = {};
   if (first || fluid.iterate || !moves) {
     auto apply = [&](const Field &q, Field &y) {
-      auto response = [&](const Field &of, std::vector<Motion> &sums, Pore_NS::WallVelocity &) {
-        sum_motion(of, step, false, sums);
+      auto response = [&](const Field &of, std::vector<Motion> &sums,
+                          Pore_NS::WallVelocity &of_wall) {
+        sum_motion(of, step, false, plates, sums, of_wall);
       };
       apply_implicit(lattice, matrix, mobility, step, storage, response, q, y);
     };
     auto precondition = [&](const Field &residual, Field &z) {
-      solve_constant(residual, c, storage, z);
+      solve_constant(residual, c, s, z);
     };
     auto agree = [this](double value) {
       MPI_Bcast(&value, 1, MPI_DOUBLE, 0, world);
@@ -196,7 +245,7 @@ void PoreField::advance(double dt, const Fluid &fluid)
     seen.convergence = Pore_NS::conjugate_gradients(apply, precondition, agree, r, fluid.tolerance,
                                                     MOST_ITERATIONS, change);
   } else
-    solve_constant(r, c, storage, change);
+    solve_constant(r, c, s, change);
   for (std::size_t n = 0; n < p.size(); n++) p[n] += change[n];
   MPI_Bcast(p.data(), static_cast<int>(p.size()), MPI_DOUBLE, 0, world);    // to the last bit
   known = true;
@@ -207,8 +256,10 @@ void PoreField::advance(double dt, const Fluid &fluid)
    on an impermeable plate the pressure itself acts: spread over its particles
 ------------------------------------------------------------------------- */
 
-void PoreField::add_forces(int lower_bits, int upper_bits, const Fluid &fluid)
+void PoreField::add_forces(const Fluid &fluid, const Plates &plates)
 {
+  const int lower_bits = plates.push_lower ? plates.lower_bit : 0;
+  const int upper_bits = plates.push_upper ? plates.upper_bit : 0;
   const std::vector<Vec3> gradient = gradients(lattice, p, fluid.gradient);
   const double volume = lattice.element_volume();
   double mine[5] = {}, all[5];    // force, particles of the plates
@@ -223,10 +274,10 @@ void PoreField::add_forces(int lower_bits, int upper_bits, const Fluid &fluid)
   }
   MPI_Allreduce(mine, all, 5, MPI_DOUBLE, MPI_SUM, world);
   std::copy_n(all, 3, seen.total);
-  const Pore_NS::WallForce wall = wall_force(lattice, p);
+  const Pore_NS::WallForce on_wall = wall_force(lattice, p);
   for (const Particle &one : particles) {
-    if (atom->mask[one.i] & lower_bits) pushed[one.i].y += wall.lower / all[3];
-    if (atom->mask[one.i] & upper_bits) pushed[one.i].y += wall.upper / all[4];
+    if (atom->mask[one.i] & lower_bits) pushed[one.i].y += on_wall.lower / all[3];
+    if (atom->mask[one.i] & upper_bits) pushed[one.i].y += on_wall.upper / all[4];
     if (fluid.coupling == Coupling::OFF) continue;
     double *f = atom->f[one.i];
     f[0] += pushed[one.i].x;
@@ -254,9 +305,20 @@ void PoreField::see(const Fluid &fluid)
     seen.k_min = MIN(seen.k_min, e.permeability);
     seen.k_max = MAX(seen.k_max, e.permeability);
   }
-  if (motion.size() == elements.size())
-    seen.flux = wall_flux(
-        lattice, imbalance(lattice, matrix, mobility, motion, fluid.wall, fluid.gradient, p));
+}
+
+/* ----------------------------------------------------------------------
+   what advance() has used are velocities that it has predicted from the pressure before
+------------------------------------------------------------------------- */
+
+void PoreField::measure_flow(const Vec3 &upper_plate)
+{
+  if (measured || atom->nlocal != nlocal) return;
+  measured = true;
+  of_deposit.velocity = upper_plate;
+  sum_motion(p, 0.0, true, of_deposit, motion, wall);
+  seen.flux =
+      wall_flux(lattice, imbalance(lattice, matrix, mobility, motion, wall, seen.gradient, p));
 }
 
 /* ---------------------------------------------------------------------- */

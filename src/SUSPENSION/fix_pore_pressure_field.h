@@ -37,7 +37,15 @@ class PoreField : protected Pointers {
     double tolerance = 1e-8;
     double lower = 0.0, upper = 0.0;    // given at drained plates
     Lubcontact_NS::Vec3 gradient;       // mean one
-    Pore_NS::WallVelocity wall;         // of plates
+  };
+
+  // Particles of plates move as their plate does. The lower one is at rest.
+  struct Plates {
+    int lower_bit = 0, upper_bit = 0;
+    bool push_lower = false, push_upper = false;    // impermeable: the pressure itself acts on them
+    Lubcontact_NS::Vec3 velocity;                   // of the upper one, by all but the pressure
+    Lubcontact_NS::Vec3 response;                   // added by a force on it, over force and time
+    double mass = 0.0;                              // of the particles of the upper one
   };
 
   explicit PoreField(LAMMPS *);
@@ -52,14 +60,14 @@ class PoreField : protected Pointers {
   void forget() { known = false; }
 
   // the particles of this step with these bits, in this cell; the pressure stays
-  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &);
+  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &);
 
   // Pressure at the end of the step of length dt, in which the other forces act; without one, or where
   // asked, to the tolerance.
-  void advance(double dt, const Fluid &);
+  void advance(double dt, const Fluid &, const Plates &);
 
   // of the pressure, on the particles as they were deposited: added to their forces
-  void add_forces(int impermeable_bits_lower, int impermeable_bits_upper, const Fluid &);
+  void add_forces(const Fluid &, const Plates &);
   const std::vector<Lubcontact_NS::Vec3> &forces() const { return pushed; }    // by local index
 
   // what there is to know; valid after advance() or add_forces()
@@ -74,6 +82,8 @@ class PoreField : protected Pointers {
     double explicit_step = 0.0;
   };
   const Report &report() const { return seen; }
+  // Velocities and flux of this moment; of the particles as they were deposited, if they still are there.
+  void measure_flow(const Lubcontact_NS::Vec3 &upper_plate);
   struct Layer {
     double y, p, phi, u_y, q_y;
   };
@@ -86,14 +96,18 @@ class PoreField : protected Pointers {
  private:
   struct Particle {
     int i;
-    double inverse_mass;
+    double inverse_mass;    // of one that is free, or what of its mass a plate has
     Pore_NS::Stencil stencil;
   };
 
   Pore_NS::Grid lattice;
+  Pore_NS::WallVelocity wall;    // as motion
   Pore_NS::ElementMatrix matrix;
   Pore_NS::Field p;
   bool known;
+  Plates of_deposit;
+  int nlocal;       // of the deposit
+  bool measured;    // motion and flux since then
   std::vector<Pore_NS::Element> elements;
   std::vector<Pore_NS::Motion> motion;
   std::vector<double> mobility;
@@ -102,8 +116,11 @@ class PoreField : protected Pointers {
   std::unique_ptr<struct PoreTransforms> transforms;
   Report seen;
 
-  void sum_motion(const Pore_NS::Field &of_pressure, double dt, bool whole_velocity,
-                  std::vector<Pore_NS::Motion> &sums) const;
+  Lubcontact_NS::Vec3 force_on_plate(const Pore_NS::Field &of_pressure,
+                                     const std::vector<Lubcontact_NS::Vec3> &gradient,
+                                     const Plates &) const;
+  void sum_motion(const Pore_NS::Field &of_pressure, double dt, bool whole_velocity, const Plates &,
+                  std::vector<Pore_NS::Motion> &sums, Pore_NS::WallVelocity &) const;
   void solve_constant(const Pore_NS::Field &r, double c, double s, Pore_NS::Field &change) const;
   void see(const Fluid &);
 };

@@ -56,7 +56,8 @@ void FixPorePressure::parse(int narg, char **arg)
                 "fix ID group pore/pressure eta|pair ...");
   settings->viscosity_of_pair = strcmp(arg[3], "pair") == 0;
   if (!settings->viscosity_of_pair) settings->viscosity = InputNumber(lmp, arg[3]);
-  if (settings->viscosity.is_number() && settings->viscosity.value < 0.0)
+  if (!settings->viscosity_of_pair && settings->viscosity.is_number() &&
+      !(settings->viscosity.value > 0.0))
     error->all(FLERR, 3, "Fix pore/pressure viscosity must be > 0, but is {}", arg[3]);
   std::map<std::string, int> given;
   for (int iarg = 4; iarg < narg;) {
@@ -165,7 +166,9 @@ void FixPorePressure::init()
   if (settings->viscosity_of_pair && !Suspension_NS::viscosity_of_pair(lmp))
     error->all(FLERR, "Fix pore/pressure pair: {}; give the viscosity instead of pair",
                Suspension_NS::why_no_viscosity(lmp));
-  for (const InputNumber *number : settings->numbers()) number->check(lmp, style, "argument");
+  settings->viscosity.check(lmp, style, "viscosity");
+  settings->drained.check(lmp, style, "pressure");
+  for (const InputNumber &slope : settings->gradient) slope.check(lmp, style, "gradient");
   if (domain->dimension == 2 && settings->law.closure != Closure::CONSTANT)
     error->all(FLERR,
                "Fix pore/pressure in 2d has no law of permeability for discs; use: permeability "
@@ -179,12 +182,34 @@ void FixPorePressure::init()
     if (!plates)
       error->all(FLERR, "Fix pore/pressure plates: {} is not the ID of a fix rheometer/plates",
                  settings->plates);
+    check_plates();
   } else
     for (int d = 0; d < domain->dimension; d++)
       if (!domain->periodicity[d])
         error->all(FLERR,
                    "Fix pore/pressure needs a periodic cell, or along y the plates of a fix "
                    "rheometer/plates: add plates fix-ID lower drained upper drained");
+}
+
+/* ----------------------------------------------------------------------
+   a fluid that is incompressible needs a way out, and a servo time to see what its motion does
+------------------------------------------------------------------------- */
+
+void FixPorePressure::check_plates() const
+{
+  const bool acts = settings->coupling != PoreField::Coupling::OFF;
+  if (!acts || settings->storage > 0.0 || settings->upper != Wall::IMPERMEABLE) return;
+  if (settings->lower == Wall::IMPERMEABLE && !plates->has_gap())
+    error->all(FLERR,
+               "Fix pore/pressure: the fluid has no way out between two impermeable plates that "
+               "approach: use drained for one of them, gap in fix {}, or storage S",
+               settings->plates);
+  if (plates->has_servo())
+    error->all(FLERR,
+               "Fix pore/pressure: the pressure on an impermeable plate answers to its motion at "
+               "once, which the servo of fix {} cannot follow: use load instead of pressure there, "
+               "or upper drained",
+               settings->plates);
 }
 
 /* ----------------------------------------------------------------------
@@ -210,6 +235,7 @@ void FixPorePressure::check_others() const
 
 void FixPorePressure::check_order() const
 {
+  if (settings->coupling == PoreField::Coupling::OFF) return;
   bool later = false;
   for (const auto &fix : modify->get_fix_list()) {
     const bool is_plates = utils::strmatch(fix->style, "^rheometer/plates");

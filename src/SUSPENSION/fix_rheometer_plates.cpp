@@ -115,6 +115,50 @@ void FixRheometerPlates::half_kick_y(double dt)
 
 /* ---------------------------------------------------------------------- */
 
+bool FixRheometerPlates::is_pushed(int d) const
+{
+  return (d == 0 && targets->drive() == PlatesTargets::STRESS) ||
+      (d == 1 && targets->load() == PlatesTargets::LOAD);
+}
+
+double FixRheometerPlates::damper(int d) const
+{
+  return d == 0 ? targets->damper_x() : targets->damper_y();
+}
+
+bool FixRheometerPlates::has_servo() const
+{
+  return targets->load() == PlatesTargets::PRESSURE;
+}
+
+bool FixRheometerPlates::has_gap() const
+{
+  return targets->load() == PlatesTargets::GAP;
+}
+
+void FixRheometerPlates::evaluate_targets()
+{
+  targets->evaluate();
+}
+
+double FixRheometerPlates::response(int d, double mass, double dt) const
+{
+  if (!is_pushed(d)) return 0.0;
+  if (targets->mass() > 0.0) mass = targets->mass();
+  return Rheometer_NS::damped_velocity(0.0, 1.0, mass / force->ftm2v, damper(d), dt) / dt;
+}
+
+double FixRheometerPlates::velocity_after(int d, double push, double mass, double dt) const
+{
+  const double now = d == 0 ? state->vx : d == 1 ? state->vy : 0.0;
+  if (!is_pushed(d)) return now;
+  if (targets->mass() > 0.0) mass = targets->mass();
+  push += (d == 0 ? targets->x() : -targets->pressure()) / force->nktv2p * area();
+  return Rheometer_NS::damped_velocity(now, push, mass / force->ftm2v, damper(d), dt);
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixRheometerPlates::move_y(double dt)
 {
   if (targets->load() == PlatesTargets::GAP) {

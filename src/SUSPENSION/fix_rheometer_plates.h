@@ -64,6 +64,15 @@ class FixRheometerPlates : public Fix {
   double imposed_pressure() const;    // 0 if there is none
   const Rheometer_NS::StrainMeans &means() const;
 
+  // How forces move the upper plate along d = 0, 1, 2 (x, y, z), for a fix that adds forces before this
+  // one: velocity after a force on its particles has acted besides what its drive and load give, and what
+  // a force adds to it, over force and time; 0 where its motion is given. mass: of its particles.
+  void evaluate_targets();    // at the start of a run
+  double velocity_after(int d, double force, double mass, double dt) const;
+  double response(int d, double mass, double dt) const;
+  bool has_servo() const;    // that holds a pressure
+  bool has_gap() const;      // that is given
+
   // f_ID[1] and so on: see the manual; then the means
   // clang-format off
   struct Output {
@@ -103,6 +112,8 @@ class FixRheometerPlates : public Fix {
   // motion
   double area() const;
   double moving_mass() const;
+  bool is_pushed(int) const;
+  double damper(int) const;
   Rheometer_NS::Material material() const;
   Rheometer_NS::WallStress stress_on(int) const;
   void measure_gap();
