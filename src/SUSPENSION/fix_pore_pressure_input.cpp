@@ -304,15 +304,15 @@ void FixPorePressure::make_grid()
     grid.nz = flat ? 1 : number[2];
   }
   made_for = settings->spacing;
-  const int counts[3] = {grid.nx, grid.ny, grid.nz};
+  const int count[3] = {grid.nx, grid.ny, grid.nz};
   for (int k = 0; k < domain->dimension; k++)
-    if (height[k] / counts[k] < d * (1.0 - 1e-10))
+    if (height[k] / count[k] < d * (1.0 - 1e-10))
       error->all(
           FLERR,
           "Fix pore/pressure: the elements of the grid are {:.4g} along {}, smaller than the "
           "mean diameter {:.4g} of the particles, whose pores they cannot see: use a coarser "
           "grid",
-          height[k] / counts[k], "xyz"[k], d);
+          height[k] / count[k], "xyz"[k], d);
   field->set_grid(grid);
   size_array_rows = grid.ny;
 }
