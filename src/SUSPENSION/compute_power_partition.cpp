@@ -140,8 +140,8 @@ double ComputePowerPartition::spin_energy() const
 
 /* ----------------------------------------------------------------------
    power that the deformation of the cell puts in: sum of sigma_ab L_ba times volume, with the
-   velocity gradient L of the cell; what a fluid that turns with the cell gives to the spins; and what the
-   common drift of the particles, whose energy is not counted, loses to the drag
+   velocity gradient L of the cell; what a fluid that turns with the cell gives to the spins; and
+   what the common drift of the particles, whose energy is not counted, loses to the drag
 ------------------------------------------------------------------------- */
 
 double ComputePowerPartition::compute_scalar()

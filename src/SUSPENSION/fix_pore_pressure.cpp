@@ -153,8 +153,9 @@ void FixPorePressure::add_plates(Now &n, double dt) const
 }
 
 /* ----------------------------------------------------------------------
-   A pressure that is known, from a restart file or the last run, has made the forces of this moment.
-   The first one is that of half a step: velocities are those of the same moment as positions.
+   A pressure that is known, from a restart file or the last run, has made the forces of this
+   moment. The first one is that of half a step: velocities are those of the same moment as
+   positions.
 ------------------------------------------------------------------------- */
 
 void FixPorePressure::setup(int /*vflag*/)

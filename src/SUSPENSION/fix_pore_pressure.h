@@ -25,8 +25,8 @@ namespace LAMMPS_NS {
 class FixRheometerPlates;
 class PoreField;
 
-// Pressure of the fluid between the particles, which must flow when they dilate or settle: Darcy's law on
-// a grid, and its forces on particles and plates.
+// Pressure of the fluid between the particles, which must flow when they dilate or settle: Darcy's
+// law on a grid, and its forces on particles and plates.
 class FixPorePressure : public Fix {
  public:
   FixPorePressure(class LAMMPS *, int, char **);

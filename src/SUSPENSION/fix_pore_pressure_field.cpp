@@ -123,8 +123,9 @@ void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &f
   elements = make_elements(lattice, fluid.law, sums);
   mobility = mobilities(elements, fluid.viscosity);
 
-  // The plate has its mass instead of those of its particles. If that is the same, it yields less than
-  // its particles would, one by one: the bound of P holds. Half of it is for the pressure itself.
+  // The plate has its mass instead of those of its particles. If that is the same, it yields less
+  // than its particles would, one by one: the bound of P holds. Half of it is for the pressure
+  // itself.
   const double most = MAX(plates.response.x, plates.response.y);
   const double of_plate = plates.mass * most * (plates.push_upper ? 2.0 : 1.0);
   particles.clear();

@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The pressure of the pore fluid on a grid, and its forces on the particles of this rank. All ranks hold
-// the whole grid: sums over particles are reduced, the solution is the same everywhere.
+// The pressure of the pore fluid on a grid, and its forces on the particles of this rank. All ranks
+// hold the whole grid: sums over particles are reduced, the solution is the same everywhere.
 
 #ifndef LMP_FIX_PORE_PRESSURE_FIELD_H
 #define LMP_FIX_PORE_PRESSURE_FIELD_H
@@ -62,8 +62,8 @@ class PoreField : protected Pointers {
   // the particles of this step with these bits, in this cell; the pressure stays
   void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &);
 
-  // Pressure at the end of the step of length dt, in which the other forces act; without one, or where
-  // asked, to the tolerance.
+  // Pressure at the end of the step of length dt, in which the other forces act; without one, or
+  // where asked, to the tolerance.
   void advance(double dt, const Fluid &, const Plates &);
 
   // of the pressure, on the particles as they were deposited: added to their forces
@@ -82,7 +82,8 @@ class PoreField : protected Pointers {
     double explicit_step = 0.0;
   };
   const Report &report() const { return seen; }
-  // Velocities and flux of this moment; of the particles as they were deposited, if they still are there.
+  // Velocities and flux of this moment; of the particles as they were deposited, if they still are
+  // there.
   void measure_flow(const Lubcontact_NS::Vec3 &upper_plate);
   struct Layer {
     double y, p, phi, u_y, q_y;

@@ -272,8 +272,8 @@ double FixPorePressure::mean_diameter() const
 }
 
 /* ----------------------------------------------------------------------
-   Elements no smaller than asked for. The first run makes them; later ones, from a restart file, too,
-   keep their number unless the script asks for another.
+   Elements no smaller than asked for. The first run makes them; later ones, from a restart file,
+   too, keep their number unless the script asks for another.
 ------------------------------------------------------------------------- */
 
 void FixPorePressure::make_grid()

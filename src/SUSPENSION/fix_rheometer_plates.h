@@ -64,9 +64,10 @@ class FixRheometerPlates : public Fix {
   double imposed_pressure() const;    // 0 if there is none
   const Rheometer_NS::StrainMeans &means() const;
 
-  // How forces move the upper plate along d = 0, 1, 2 (x, y, z), for a fix that adds forces before this
-  // one: velocity after a force on its particles has acted besides what its drive and load give, and what
-  // a force adds to it, over force and time; 0 where its motion is given. mass: of its particles.
+  // How forces move the upper plate along d = 0, 1, 2 (x, y, z), for a fix that adds forces before
+  // this one: velocity after a force on its particles has acted besides what its drive and load
+  // give, and what a force adds to it, over force and time; 0 where its motion is given. mass: of
+  // its particles.
   void evaluate_targets();    // at the start of a run
   double velocity_after(int d, double force, double mass, double dt) const;
   double response(int d, double mass, double dt) const;

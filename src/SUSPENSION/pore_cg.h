@@ -7,8 +7,9 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Conjugate gradients with a preconditioner: M.R. Hestenes, E. Stiefel, J. Res. Nat. Bur. Stand. 49, 409
-// (1952). The matrix may be singular if the right side, and what the preconditioner returns, are not.
+// Conjugate gradients with a preconditioner: M.R. Hestenes, E. Stiefel, J. Res. Nat. Bur. Stand.
+// 49, 409 (1952). The matrix may be singular if the right side, and what the preconditioner
+// returns, are not.
 
 #ifndef LMP_PORE_CG_H
 #define LMP_PORE_CG_H
@@ -31,8 +32,8 @@ inline double scalar_product(const std::vector<double> &a, const std::vector<dou
   return sum;
 }
 
-// Solves A p = rhs from the p given, until the residual is tolerance times the right side, or after the
-// most iterations.
+// Solves A p = rhs from the p given, until the residual is tolerance times the right side, or after
+// the most iterations.
 //   apply(p, y): y = A p;   precondition(r, z): z = P^-1 r, any multiple of it
 //   agree(residual): the same number on all ranks, so that all stop together
 template <class Apply, class Precondition, class Agree>

@@ -10,8 +10,8 @@
 // Permeability of a random array of spheres of radius a at the volume fraction phi:
 //   k = 2 a^2/(9 phi K),   K = drag of a sphere over 6 pi eta a U, U the flux per total area.
 // Kozeny-Carman with the constant 180, P.C. Carman, Trans. Inst. Chem. Eng. 15, 150 (1937), and its
-// form that is right in dilute arrays, too: M.A. van der Hoef, R. Beetstra, J.A.M. Kuipers, J. Fluid
-// Mech. 528, 233 (2005).
+// form that is right in dilute arrays, too: M.A. van der Hoef, R. Beetstra, J.A.M. Kuipers, J.
+// Fluid Mech. 528, 233 (2005).
 
 #ifndef LMP_PORE_CLOSURE_H
 #define LMP_PORE_CLOSURE_H

@@ -8,15 +8,17 @@
 ------------------------------------------------------------------------- */
 
 // From particles to elements and back. A particle is spread over 3 x 3 x 3 elements by a quadratic
-// B-spline w about their centers x_e, reflected at plates: sums of w are 1. The velocity of an element,
-//   u_e = sum_i W_ei v_i,   W_ei = V_i w_ei/(phi_e V_e) (1 + g.(x_i - <x>)),   g = M^-1 (x_e - <x>),
-// with the weighted mean <x> and covariance M of its particles, is exact for velocities that are linear
-// in x, since sum_i W_ei = 1 and sum_i W_ei x_i = x_e: moving least squares, P. Lancaster, K. Salkauskas,
-// Math. Comp. 37, 141 (1981). All that is in lattice coordinates about the center of the element, where
-// periodic images need no care. The forces of a pressure, -sum_e V_e W_ei grad p(x_e), are the adjoint.
+// B-spline w about their centers x_e, reflected at plates: sums of w are 1. The velocity of an
+// element,
+//   u_e = sum_i W_ei v_i,   W_ei = V_i w_ei/(phi_e V_e) (1 + g.(x_i - <x>)),   g = M^-1 (x_e -
+// <x>), with the weighted mean <x> and covariance M of its particles, is exact for velocities that
+// are linear in x, since sum_i W_ei = 1 and sum_i W_ei x_i = x_e: moving least squares, P.
+// Lancaster, K. Salkauskas, Math. Comp. 37, 141 (1981). All that is in lattice coordinates about
+// the center of the element, where periodic images need no care. The forces of a pressure, -sum_e
+// V_e W_ei grad p(x_e), are the adjoint.
 //
-// An element with less than phi_min has no bracket, and phi_min for phi_e: its weights add up to less
-// than 1, the rest of the fluid being at rest in the frame of the velocities.
+// An element with less than phi_min has no bracket, and phi_min for phi_e: its weights add up to
+// less than 1, the rest of the fluid being at rest in the frame of the velocities.
 
 #ifndef LMP_PORE_DEPOSIT_H
 #define LMP_PORE_DEPOSIT_H
@@ -187,8 +189,8 @@ struct Element {
   Vec3 mean, slope;      // <x> and g of the bracket
 };
 
-// Radii are Sauter's. An element with less than phi_min is filled up with the mean of all particles, so
-// that its permeability does not jump when the last particle leaves.
+// Radii are Sauter's. An element with less than phi_min is filled up with the mean of all
+// particles, so that its permeability does not jump when the last particle leaves.
 inline std::vector<Element> make_elements(const Grid &grid, const Permeability &law,
                                           const std::vector<Moments> &sums)
 {

@@ -7,10 +7,11 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The grid of the pore pressure: a cell of LAMMPS, cut into nx ny nz equal elements along its edges.
-// The pressure is at the corners of the elements. x and z are periodic; y is periodic, or goes from the
-// surface of a lower plate to that of an upper one. Lattice coordinates count elements: corners are at
-// integers, centers halfway between. All arrays have x as their fastest index and y as their slowest.
+// The grid of the pore pressure: a cell of LAMMPS, cut into nx ny nz equal elements along its
+// edges. The pressure is at the corners of the elements. x and z are periodic; y is periodic, or
+// goes from the surface of a lower plate to that of an upper one. Lattice coordinates count
+// elements: corners are at integers, centers halfway between. All arrays have x as their fastest
+// index and y as their slowest.
 
 #ifndef LMP_PORE_GRID_H
 #define LMP_PORE_GRID_H
@@ -74,7 +75,8 @@ inline bool is_possible(const Grid &grid)
   return sides && grid.nx > 0 && grid.ny > 0 && grid.nz > 0 && (!grid.has_plates() || upright);
 }
 
-// Gradients of the lattice coordinates, 1/length: the gradient of p is the sum of dp/dxi_a along[a].
+// Gradients of the lattice coordinates, 1/length: the gradient of p is the sum of dp/dxi_a
+// along[a].
 struct Metric {
   Vec3 along[3];
 };

@@ -8,10 +8,11 @@
 ------------------------------------------------------------------------- */
 
 // Balance of the fluid's volume on the grid, trilinear finite elements on parallelepipeds:
-//   (K p)_n = sum_e (k_e/eta) int_e grad N_n . grad p,   (D v)_n = -sum_e V_e grad N_n(x_e).u_e + walls,
+//   (K p)_n = sum_e (k_e/eta) int_e grad N_n . grad p,   (D v)_n = -sum_e V_e grad N_n(x_e).u_e +
+// walls,
 //   K p = -D v:   what the solid displaces, or a wall, flows off through the pores by Darcy's law.
-// The gradient of a trilinear function at the center is its mean over the element, so that D^T p, the
-// forces, dissipate exactly what flows: F.v = -p K p.
+// The gradient of a trilinear function at the center is its mean over the element, so that D^T p,
+// the forces, dissipate exactly what flows: F.v = -p K p.
 
 #ifndef LMP_PORE_OPERATOR_H
 #define LMP_PORE_OPERATOR_H
@@ -151,7 +152,8 @@ inline double layer_mean(const Grid &grid, const Field &p, int j)
   return sum / grid.layer_size();
 }
 
-// of the fluid on the plates along y; plus the forces on the particles, and on clear fluid, this is 0
+// of the fluid on the plates along y; plus the forces on the particles, and on clear fluid, this is
+// 0
 struct WallForce {
   double lower = 0.0, upper = 0.0;
 };

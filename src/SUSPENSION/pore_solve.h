@@ -7,10 +7,10 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Exact solution of (c K1 + s) p = r, K1 being K with k/eta = 1 everywhere, by Fourier transforms: along
-// x and z, along y, too, if it is periodic; between plates sines or cosines along y. An impermeable plate
-// is the mirror plane of an even function: its rows, half those of inner nodes, are doubled. s is a
-// storage per inner node, half of it at the plates.
+// Exact solution of (c K1 + s) p = r, K1 being K with k/eta = 1 everywhere, by Fourier transforms:
+// along x and z, along y, too, if it is periodic; between plates sines or cosines along y. An
+// impermeable plate is the mirror plane of an even function: its rows, half those of inner nodes,
+// are doubled. s is a storage per inner node, half of it at the plates.
 // Transforms: M. Frigo, S.G. Johnson, Proc. IEEE 93, 216 (2005). Plans are estimated, not measured:
 // each rank and each run then computes the same.
 
@@ -33,8 +33,8 @@ class ConstantSolver {
   // for this cell
   void set_cell(const Grid &);
 
-  // p from r, 0 at the nodes where the pressure is given; without such nodes and s, the mean of r is left
-  // out and that of p is 0. 0 if c is 0, which is a cell without particles and k
+  // p from r, 0 at the nodes where the pressure is given; without such nodes and s, the mean of r
+  // is left out and that of p is 0. 0 if c is 0, which is a cell without particles and k
   void solve(const Field &r, double c, double s, Field &p) const;
 
  private:
@@ -100,8 +100,8 @@ inline ConstantSolver::ConstantSolver(const Grid &g) :
                                         size, FFTW_ESTIMATE));
 }
 
-// Along one axis, spacing 1: stiffness 2 - 2 cos q, mass (4 + 2 cos q)/6; sin q of the product of a slope
-// and a value.
+// Along one axis, spacing 1: stiffness 2 - 2 cos q, mass (4 + 2 cos q)/6; sin q of the product of a
+// slope and a value.
 inline void ConstantSolver::set_cell(const Grid &g)
 {
   struct Wave {

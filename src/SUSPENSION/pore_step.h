@@ -7,16 +7,16 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// A step of the pore pressure together with the particles, which in velocity Verlet have v(n-1/2) when
-// forces are computed. F_o are all other forces, D and K are those of the new positions:
+// A step of the pore pressure together with the particles, which in velocity Verlet have v(n-1/2)
+// when forces are computed. F_o are all other forces, D and K are those of the new positions:
 //   v* = v(n-1/2) + (dt/m) (F_o + D^T p_n)
 //   P (p_n+1 - p_n) = -D v* - K p_n - S V (nothing at p_n+1 = p_n)
 //   F = D^T p_n+1 added to F_o
-// With P = A = K + dt D M^-1 D^T + S V/dt that is backward Euler of Darcy's law; any other P >= A adds a
-// storage dt (P - A), which vanishes with dt. Stable for every permeability and viscosity, at the time
-// step of the contacts. P = (k_e/eta + dt b_e) K1 >= A per element, since D M^-1 D^T is bounded by the sums
-// of its rows, b_e, and the gradient at the center by its mean square; one constant for all, the largest,
-// is what ConstantSolver solves.
+// With P = A = K + dt D M^-1 D^T + S V/dt that is backward Euler of Darcy's law; any other P >= A
+// adds a storage dt (P - A), which vanishes with dt. Stable for every permeability and viscosity,
+// at the time step of the contacts. P = (k_e/eta + dt b_e) K1 >= A per element, since D M^-1 D^T is
+// bounded by the sums of its rows, b_e, and the gradient at the center by its mean square; one
+// constant for all, the largest, is what ConstantSolver solves.
 
 #ifndef LMP_PORE_STEP_H
 #define LMP_PORE_STEP_H
@@ -42,9 +42,9 @@ inline std::vector<double> implicit_mobilities(const std::vector<double> &mobili
   return sum;
 }
 
-// A plate that the pressure moves, impermeable and opposite to a drained one: what it adds to b_e. The
-// square of the mean pressure on it is at most V/area^2 times the integral of (dp/dy)^2. mass: what it has
-// beyond the mass with which its particles were deposited.
+// A plate that the pressure moves, impermeable and opposite to a drained one: what it adds to b_e.
+// The square of the mean pressure on it is at most V/area^2 times the integral of (dp/dy)^2. mass:
+// what it has beyond the mass with which its particles were deposited.
 inline double wall_bound(const Grid &grid, double mass)
 {
   return grid.volume() / mass;
@@ -77,8 +77,8 @@ inline void project(const Grid &grid, bool has_storage, Field &r)
           sum * node_share(grid, j) / static_cast<double>(grid.elements());
 }
 
-// What a pressure leaves over, in all rows: -D v - K p, of the mean gradient, too. Where p is given, it is
-// what flows out through the drained plate, against it.
+// What a pressure leaves over, in all rows: -D v - K p, of the mean gradient, too. Where p is
+// given, it is what flows out through the drained plate, against it.
 inline Field imbalance(const Grid &grid, const ElementMatrix &matrix,
                        const std::vector<double> &mobility, const std::vector<Motion> &motion,
                        const WallVelocity &wall, const Vec3 &mean_gradient, const Field &p)
@@ -96,9 +96,9 @@ inline Field imbalance(const Grid &grid, const ElementMatrix &matrix,
   return r;
 }
 
-// y = A p for conjugate gradients. response(p, motion, wall): what accelerations by the forces D^T p make
-// of the velocities, summed over the ranks: add_motion of f/m, and of plates that the pressure moves.
-// dt = 0: y = K p.
+// y = A p for conjugate gradients. response(p, motion, wall): what accelerations by the forces D^T
+// p make of the velocities, summed over the ranks: add_motion of f/m, and of plates that the
+// pressure moves. dt = 0: y = K p.
 template <class Response>
 void apply_implicit(const Grid &grid, const ElementMatrix &matrix,
                     const std::vector<double> &mobility, double dt, double storage_per_node,
@@ -158,7 +158,8 @@ inline WallFlux wall_flux(const Grid &grid, const Field &imbalance)
           grid.upper == Wall::DRAINED ? size * layer_mean(grid, imbalance, grid.ny) : 0.0};
 }
 
-// Force of the pressure that finds no particles: sum of the weights of clear elements is less than 1.
+// Force of the pressure that finds no particles: sum of the weights of clear elements is less than
+// 1.
 inline Vec3 clear_force(const Grid &grid, const Permeability &law,
                         const std::vector<Element> &elements, const std::vector<Vec3> &gradient)
 {

@@ -35,7 +35,8 @@ struct Cell {
   double lx, ly, lz, xy;
 };
 
-// relative change of the cell in one step, over dt; exp() keeps the volume of a volume-conserving flow
+// relative change of the cell in one step, over dt; exp() keeps the volume of a volume-conserving
+// flow
 inline double per_step(double rate, double dt)
 {
   return std::expm1(rate * dt) / dt;

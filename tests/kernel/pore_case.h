@@ -33,7 +33,8 @@ inline Vec3 difference(const Cell &c, bool plates, const Vec3 &a, const Vec3 &b)
   return d - std::round(d.x / c.xprd) * Vec3{c.xprd, 0.0, 0.0};
 }
 
-// n spheres with radii of 0.5 (1 +- spread) at random, pushed apart from each other and from the plates
+// n spheres with radii of 0.5 (1 +- spread) at random, pushed apart from each other and from the
+// plates
 inline Bed random_bed(Random &rnd, int n, double spread, const Cell &c, bool plates,
                       int sweeps = 200)
 {

@@ -42,7 +42,8 @@ void keep_larger(double &error, double next)
   if (!(next <= error)) error = next;    // what is not a number stays, too
 }
 
-// spheres of diameter 1, springs kn, 2 kn at the walls: E = kn/d; drag: dt over the time of decay by it
+// spheres of diameter 1, springs kn, 2 kn at the walls: E = kn/d; drag: dt over the time of decay
+// by it
 Errors consolidate(int spheres, double h, double k, double drag, double until)
 {
   const double kn = 1.0, mass = 1.0, load = 1.0, H = spheres;

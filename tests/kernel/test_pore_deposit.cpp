@@ -122,7 +122,8 @@ TEST(PoreDeposit, WeightsReproduceOneAndThePosition)
     }
 }
 
-// The offset of the elements from the images of a particle, in space: what the cell's tilt does to it.
+// The offset of the elements from the images of a particle, in space: what the cell's tilt does to
+// it.
 TEST(PoreDeposit, VelocityThatIsLinearInPositionIsExactAtTheCenters)
 {
   Random rnd(13);

@@ -115,7 +115,8 @@ TEST(PoreOperator, AffineMotionHasItsOwnDivergence)
   }
 }
 
-// velocities linear in the position, taken at each image, in tilted cells: rates that keep the volume
+// velocities linear in the position, taken at each image, in tilted cells: rates that keep the
+// volume
 TEST(PoreOperator, AffineMotionWithoutChangeOfVolumeHasNoDivergenceInTiltedCells)
 {
   Random rnd(25);

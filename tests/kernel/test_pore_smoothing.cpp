@@ -1,4 +1,5 @@
-// What the spacing of the grid does: waves are smoothed, the fluctuations of a random bed are resolved.
+// What the spacing of the grid does: waves are smoothed, the fluctuations of a random bed are
+// resolved.
 
 #ifdef SUSPENSION_FFTW
 

@@ -288,8 +288,8 @@ TEST(PoreStep, FullyImplicitStepIsBackwardEulerOfDarcysLaw)
     }
 }
 
-// Long runs of spheres on springs at 0.9 of the time step of the springs: energy is not gained, but that of
-// leapfrog swings.
+// Long runs of spheres on springs at 0.9 of the time step of the springs: energy is not gained, but
+// that of leapfrog swings.
 TEST(PoreStep, IsStableAtTheStepOfTheContactsForEveryDrag)
 {
   Random rnd(58);
