@@ -348,10 +348,14 @@ void FixPorePressure::write_restart(FILE *fp)
   if (comm->me) return;
   const Pore_NS::Grid &grid = field->grid();
   const Pore_NS::Field &p = field->pressure();
-  std::vector<double> record = {static_cast<double>(p.size()),     static_cast<double>(grid.nx),
-                                static_cast<double>(grid.ny),      static_cast<double>(grid.nz),
-                                static_cast<double>(grid.lower),   static_cast<double>(grid.upper),
-                                field->has_pressure() ? 1.0 : 0.0, made_for};
+  std::vector<double> record = {static_cast<double>(p.size()),
+                                static_cast<double>(grid.nx),
+                                static_cast<double>(grid.ny),
+                                static_cast<double>(grid.nz),
+                                static_cast<double>(grid.lower),
+                                static_cast<double>(grid.upper),
+                                static_cast<double>(field->solutions()),
+                                made_for};
   record.push_back(seal_of(record.data(), HEAD));
   record.insert(record.end(), p.begin(), p.end());
   record.push_back(seal_of(p.data(), p.size()));
@@ -377,5 +381,5 @@ void FixPorePressure::restart(char *buffer)
   if (grid.lower != settings->lower || grid.upper != settings->upper || head[6] == 0.0) return;
   made_for = head[7];
   field->set_grid(grid);
-  if (number == grid.nodes()) field->take_pressure({p, p + number});
+  if (number == grid.nodes()) field->take_pressure({p, p + number}, static_cast<int>(head[6]));
 }

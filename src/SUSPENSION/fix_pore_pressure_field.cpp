@@ -30,6 +30,10 @@ using Pore_NS::Motion;
 
 static constexpr int MOST_ITERATIONS = 1000;
 
+// Solutions that are iterated before one per step is enough: the first pressure may be that of an
+// impact, which P would let act for many steps.
+static constexpr int FIRST_SOLUTIONS = 10;
+
 #ifdef SUSPENSION_FFTW
 struct LAMMPS_NS::PoreTransforms {
   explicit PoreTransforms(const Pore_NS::Grid &grid) : solver(grid) {}
@@ -45,7 +49,7 @@ const char *const PoreField::NO_LIBRARY =
 
 /* ---------------------------------------------------------------------- */
 
-PoreField::PoreField(LAMMPS *lmp) : Pointers(lmp), known(false), nlocal(-1), measured(false) {}
+PoreField::PoreField(LAMMPS *lmp) : Pointers(lmp), age(0), nlocal(-1), measured(false) {}
 
 PoreField::~PoreField() = default;
 
@@ -71,14 +75,14 @@ void PoreField::set_grid(const Pore_NS::Grid &grid)
 #endif
   if (p.size() != grid.nodes()) {
     p.assign(grid.nodes(), 0.0);
-    known = false;
+    age = 0;
   }
 }
 
-void PoreField::take_pressure(const std::vector<double> &values)
+void PoreField::take_pressure(const std::vector<double> &values, int solutions)
 {
   p = values;
-  known = true;
+  age = solutions;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -206,8 +210,7 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
   const bool moves = fluid.coupling == Coupling::IMPLICIT;
   const double step = moves ? dt : 0.0;
   const double storage = Pore_NS::node_storage(lattice, fluid.storage, dt);
-  const bool first = !known;
-  if (first) p.assign(lattice.nodes(), 0.0);
+  if (age == 0) p.assign(lattice.nodes(), 0.0);
   set_fixed(lattice, fluid.lower, fluid.upper, p);
 
   sum_motion(p, step, true, plates, motion, wall);
@@ -227,7 +230,7 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
   const double s = storage + of_mean;
   Field change;
   seen.convergence = {};
-  if (first || fluid.iterate || !moves) {
+  if (age < FIRST_SOLUTIONS || fluid.iterate || !moves) {
     auto apply = [&](const Field &q, Field &y) {
       auto response = [&](const Field &of, std::vector<Motion> &sums,
                           Pore_NS::WallVelocity &of_wall) {
@@ -249,7 +252,7 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
     solve_constant(r, c, s, change);
   for (std::size_t n = 0; n < p.size(); n++) p[n] += change[n];
   MPI_Bcast(p.data(), static_cast<int>(p.size()), MPI_DOUBLE, 0, world);    // to the last bit
-  known = true;
+  age = MIN(age + 1, FIRST_SOLUTIONS);
   seen.explicit_step = Pore_NS::explicit_step(mobility, motion);
 }
 

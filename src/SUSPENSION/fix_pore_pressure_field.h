@@ -56,14 +56,18 @@ class PoreField : protected Pointers {
   // numbers of elements and kinds of walls; a pressure of another size is forgotten
   void set_grid(const Pore_NS::Grid &);
   const Pore_NS::Grid &grid() const { return lattice; }
-  bool has_pressure() const { return known; }
-  void forget() { known = false; }
+  bool has_pressure() const { return age > 0; }
+  int solutions() const
+  {
+    return age;
+  }    // since there was no pressure, counted while they iterate
+  void forget() { age = 0; }
 
   // the particles of this step with these bits, in this cell; the pressure stays
   void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &);
 
-  // Pressure at the end of the step of length dt, in which the other forces act; without one, or
-  // where asked, to the tolerance.
+  // Pressure at the end of the step of length dt, in which the other forces act. The first ones are
+  // iterated to the tolerance, and all where asked.
   void advance(double dt, const Fluid &, const Plates &);
 
   // of the pressure, on the particles as they were deposited: added to their forces
@@ -91,7 +95,7 @@ class PoreField : protected Pointers {
   std::vector<Layer> profile() const;    // by layers of elements
 
   const Pore_NS::Field &pressure() const { return p; }
-  void take_pressure(const std::vector<double> &);    // of a restart file, of this grid
+  void take_pressure(const std::vector<double> &, int solutions);    // of a restart file
   double memory_usage() const;
 
  private:
@@ -105,7 +109,7 @@ class PoreField : protected Pointers {
   Pore_NS::WallVelocity wall;    // as motion
   Pore_NS::ElementMatrix matrix;
   Pore_NS::Field p;
-  bool known;
+  int age;
   Plates of_deposit;
   int nlocal;       // of the deposit
   bool measured;    // motion and flux since then
