@@ -82,6 +82,7 @@ class SceneAdviser : protected Pointers {
   std::string describe_pressure() const;
   std::string describe_numbers() const;
   std::string describe_settling(const Scene_NS::Settling &) const;
+  std::string advice_on_pores() const;
   std::string doubts_of_pressure() const;
 
   // lines for the input script

@@ -133,6 +133,7 @@ void SceneAdviser::read_plates()
     const auto *plates = dynamic_cast<FixRheometerPlates *>(fix);
     if (plates->phi() > 0.0) scene.phi = plates->phi();
     if (plates->rate() != 0.0) scene.rate = plates->rate();
+    if (plates->gap() > 0.0) scene.height = plates->gap();
     if (plates->imposed_pressure() > 0.0)
       scene.pressure = plates->imposed_pressure() * stress;
     else

@@ -12,6 +12,7 @@
 #include "scene_adviser.h"
 
 #include "force.h"
+#include "modify.h"
 #include "scene_bounds.h"
 #include "scene_settling.h"
 #include "utils.h"
@@ -69,7 +70,7 @@ std::string SceneAdviser::advice_for_shear() const
   if (!gravity.empty())
     text += "  warning: the numbers are those of the shear; what gravity does (" + gravity +
         ") is in none of them\n";
-  return text + doubts_of_pressure() + deck_lines(verdicts);
+  return text + advice_on_pores() + doubts_of_pressure() + deck_lines(verdicts);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -81,6 +82,21 @@ std::string SceneAdviser::table(const std::vector<Verdict> &verdicts) const
     text += fmt::format("  {:<18} {:<20} {}\n", Scene_NS::EFFECT_NAME[v.effect],
                         Scene_NS::ANSWER_NAME[v.answer], v.why);
   return text;
+}
+
+/* ----------------------------------------------------------------------
+   the fluid of a layer between plates must flow when the layer dilates or settles
+------------------------------------------------------------------------- */
+
+std::string SceneAdviser::advice_on_pores() const
+{
+  const double Pi = Scene_NS::numbers(scene).Pi;
+  if (!(Pi > Scene_NS::PORES_MATTER)) return "";
+  const bool there = !modify->get_fix_by_style("^pore/pressure").empty();
+  return fmt::format("  pores: Pi = {}, {}; steady flow does not depend on it\n", show(Pi),
+                     there ? "the transients of the volume are those of the fluid in the pores"
+                           : "in a transient the volume waits for the fluid in the pores: add fix "
+                             "pore/pressure");
 }
 
 /* ----------------------------------------------------------------------
@@ -174,6 +190,8 @@ std::string SceneAdviser::describe_numbers() const
   std::string text = "Dimensionless numbers\n";
   for (const auto &row : rows)
     text += fmt::format("  {:<26} {}\n", row.first, Scene_NS::show(n, row.second));
+  if (known(scene.height))
+    text += fmt::format("  {:<26} {}\n", "Pi = Iv H^2/k", Scene_NS::show(n, &Numbers::Pi));
   return text;
 }
 

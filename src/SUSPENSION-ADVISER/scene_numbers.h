@@ -12,6 +12,8 @@
 #ifndef SCENE_NUMBERS_H
 #define SCENE_NUMBERS_H
 
+#include "pore_closure.h"
+
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -56,6 +58,7 @@ struct Scene {
   double box = UNKNOWN;        // smallest periodic height
   double gravity = UNKNOWN;    // acceleration
   double bottom = UNKNOWN;     // pressure of all particles on what carries them
+  double height = UNKNOWN;     // of the layer whose fluid must flow: gap of plates
 };
 
 // Dimensionless, but for the first two
@@ -76,6 +79,7 @@ struct Numbers {
   double box = UNKNOWN;              // in mean diameters
   double phi_jam = UNKNOWN;          // where friction jams it
   double crowding = UNKNOWN;         // phi over that
+  double Pi = UNKNOWN;               // Iv H^2/k: time of drainage over 1/rate, times P/E = 1
   double friction_gain = UNKNOWN;    // viscosity with over viscosity without friction, less 1
   double repulsion = UNKNOWN, adhesion = UNKNOWN;    // force/(P d^2)
   double critical = UNKNOWN;                         // P a^2 over the critical load, the smallest
@@ -103,6 +107,9 @@ inline double friction_gain(double phi, double friction)
   if (with <= 0.0) return HUGE_VAL;
   return without * without / (with * with) - 1.0;
 }
+
+// Transients of the volume wait for the fluid of the pores beyond this Iv H^2/k; steady flow does not.
+static constexpr double PORES_MATTER = 1.0;
 
 static constexpr double VISCOUS_TO_INERTIAL = 10.0;    // I^2/Iv, Tapia et al. 2022
 
@@ -173,6 +180,8 @@ inline Numbers numbers(const Scene &s)
   n.Iv = viscous / P;
   n.I = d * rate * std::sqrt(s.density / P);
   n.K = n.Iv + n.I * n.I / VISCOUS_TO_INERTIAL;
+  if (s.dimension == 3.0 && s.phi > 0.0)
+    n.Pi = n.Iv * s.height * s.height / Pore_NS::permeability({}, s.phi, a);
   n.Ca = viscous * a / s.g;
   n.stiffness = s.g / (a * P);
   n.crushing = n.stiffness * s.roughness;

@@ -51,6 +51,16 @@ TEST(SceneNumbers, OfBeadsInWater)
   EXPECT_FALSE(n.estimated);
 }
 
+TEST(SceneNumbers, DrainageOfALayer)
+{
+  Scene s = beads();
+  EXPECT_FALSE(known(LAMMPS_NS::Scene_NS::numbers(s).Pi));
+  s.height = 1e-3;
+  // k = 2 a^2/(9 phi K), K = 10 phi/(1-phi)^3 + (1-phi)(1 + 1.5 sqrt phi) = 41.030330
+  EXPECT_NEAR(LAMMPS_NS::Scene_NS::numbers(s).Pi, 0.01 * 1e-6 / (2 * 2.5e-9 / (4.5 * 41.030330)),
+              1e-4);
+}
+
 TEST(SceneNumbers, InertiaOverViscosityIsTheStokesNumberOfTheDiameter)
 {
   const Numbers n = LAMMPS_NS::Scene_NS::numbers(beads());

@@ -230,6 +230,12 @@ for load in ("pressure 5", "gap"):
     deck.expect_close(f"plates, {load}: volume fraction", float(re.search(r"box +phi ([^ ,]+),", scene.text).group(1)),
                       scene.values["phi"], rtol=6e-3)
     deck.expect("  walls", ", walls\n" in scene.text)
+    phi = scene.values["phi"]    # permeability of an array of spheres of radius 1, Beetstra
+    k = 2 / (9 * phi * (10 * phi / (1 - phi)**3 + (1 - phi) * (1 + 1.5 * np.sqrt(phi))))
+    pores = scene.number("Iv =") * scene.values["gap"]**2 / k
+    deck.expect_close("  Pi of the pores", scene.number("Pi ="), pores, rtol=6e-3)
+    deck.expect("  fix pore/pressure is advised", ("add fix pore/pressure" in scene.text) == (pores > 1), f"Pi {pores:.3g}")
     deck.expect("  a mean is doubtful", ("the pressure is a mean over a strain of 0.125 only" in scene.text) == (load == "gap"))
+deck.expect("no layer, no pores", "Pi =" not in Advice(style="zero", flow="print none").text)
 deck.expect("nothing known", set(Advice(style="zero", flow="print none").answers.values()) == {"cannot tell"})
 deck.finish()
