@@ -108,8 +108,11 @@ inline double friction_gain(double phi, double friction)
   return without * without / (with * with) - 1.0;
 }
 
-// Transients of the volume wait for the fluid of the pores beyond this Iv H^2/k; steady flow does not.
+// Transients of the volume wait for the fluid of the pores beyond this Iv H^2/k; steady flow does
+// not.
 static constexpr double PORES_MATTER = 1.0;
+inline constexpr Pore_NS::Permeability PORES{Pore_NS::Closure::BEETSTRA, 0.0, 1.0,
+                                             0.0};    // at any phi
 
 static constexpr double VISCOUS_TO_INERTIAL = 10.0;    // I^2/Iv, Tapia et al. 2022
 
@@ -181,7 +184,7 @@ inline Numbers numbers(const Scene &s)
   n.I = d * rate * std::sqrt(s.density / P);
   n.K = n.Iv + n.I * n.I / VISCOUS_TO_INERTIAL;
   if (s.dimension == 3.0 && s.phi > 0.0)
-    n.Pi = n.Iv * s.height * s.height / Pore_NS::permeability({}, s.phi, a);
+    n.Pi = n.Iv * s.height * s.height / Pore_NS::permeability(PORES, s.phi, a);
   n.Ca = viscous * a / s.g;
   n.stiffness = s.g / (a * P);
   n.crushing = n.stiffness * s.roughness;

@@ -236,6 +236,8 @@ for load in ("pressure 5", "gap"):
     deck.expect_close("  Pi of the pores", scene.number("Pi ="), pores, rtol=6e-3)
     deck.expect("  fix pore/pressure is advised", ("add fix pore/pressure" in scene.text) == (pores > 1), f"Pi {pores:.3g}")
     deck.expect("  a mean is doubtful", ("the pressure is a mean over a strain of 0.125 only" in scene.text) == (load == "gap"))
+deck.expect("a viscous fluid cannot follow", "in a transient the volume waits for the fluid in the pores: add fix pore/pressure"
+            in Advice("in.plates", words="viscosity 100").text)
 deck.expect("no layer, no pores", "Pi =" not in Advice(style="zero", flow="print none").text)
 deck.expect("nothing known", set(Advice(style="zero", flow="print none").answers.values()) == {"cannot tell"})
 deck.finish()
