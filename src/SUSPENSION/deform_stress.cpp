@@ -29,7 +29,7 @@ using namespace LAMMPS_NS;
 
 DeformStress::DeformStress(LAMMPS *lmp, Fix *owner) :
     Pointers(lmp), fix(owner), virial_id(std::string(owner->id) + "_virial"), pressure_now(0.0),
-    stress_now(0.0)
+    stress_now(0.0), fluid_now(0.0), drainage_now(0.0)
 {
   pair_virial = modify->add_compute(virial_id + " all pressure NULL pair");
 }
@@ -131,6 +131,12 @@ void DeformStress::measure(Rheometer_NS::Flow flow, const Rheometer_NS::Gradient
   stress_now = Rheometer_NS::driving_stress(flow, now);
 }
 
+void DeformStress::drain(double drainage, double dilation)
+{
+  drainage_now = drainage;
+  fluid_now = -drainage * dilation;
+}
+
 /* ---------------------------------------------------------------------- */
 
 double DeformStress::phi() const
@@ -140,5 +146,5 @@ double DeformStress::phi() const
 
 void DeformStress::add_to_means(double strain, double dt)
 {
-  Rheometer_NS::add(averages, pressure_now, stress_now, strain, dt);
+  Rheometer_NS::add(averages, pressure(), stress_now, strain, dt);
 }

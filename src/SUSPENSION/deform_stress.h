@@ -31,8 +31,15 @@ class DeformStress : protected Pointers {
   void measure(Rheometer_NS::Flow, const Rheometer_NS::Gradient &);    // of the flow of now
   void set_viscosity(double eta) { scales.eta = eta; }
 
-  double pressure() const { return pressure_now; }    // when last measured
+  // when last measured; the pressure is that of the particles and, if their fluid has to drain, of
+  // the fluid
+  double pressure() const { return pressure_now + fluid_now; }
+  double particle_pressure() const { return pressure_now; }
   double stress() const { return stress_now; }
+
+  // mean pressure of the fluid over -dilation, and the dilation under which was measured
+  void drain(double drainage, double dilation);
+  double drainage() const { return drainage_now; }
   double phi() const;
   const Rheometer_NS::Material &material() const { return scales; }
 
@@ -56,6 +63,7 @@ class DeformStress : protected Pointers {
   Rheometer_NS::Material scales;
   Rheometer_NS::StrainMeans averages;
   double pressure_now, stress_now;
+  double fluid_now, drainage_now;    // pressure of the fluid
 
   void add_particle(int, bool, Particles &) const;
   void take_particles(const Particles &);

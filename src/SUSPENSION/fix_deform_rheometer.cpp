@@ -16,6 +16,7 @@
 #include "deform_targets.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_pore_pressure.h"
 #include "force.h"
 #include "kspace.h"
 #include "list_keeper.h"
@@ -85,6 +86,8 @@ void FixDeformRheometer::init()
   h_ratelo = domain->h_ratelo;
   kspace_flag = force->kspace ? 1 : 0;
   varflag = 0;
+  const auto pores = modify->get_fix_by_style("^pore/pressure");
+  pore = pores.empty() ? nullptr : dynamic_cast<FixPorePressure *>(pores.front());
   stress->init();
   publish_rates();
 }
@@ -290,12 +293,14 @@ void FixDeformRheometer::update_targets()
 }
 
 /* ----------------------------------------------------------------------
-   with what has become of the flow, whose particles move at a constant velocity
+   with what has become of the flow, whose particles move at a constant velocity; the fluid answers
+   to the dilation of now
 ------------------------------------------------------------------------- */
 
 void FixDeformRheometer::measure_stress()
 {
   stress->measure(static_cast<Flow>(flow), Rheometer_NS::at_end(motion->gradient, motion->moved));
+  stress->drain(pore ? pore->drainage() : 0.0, motion->dilation);
 }
 
 /* ----------------------------------------------------------------------
@@ -334,9 +339,9 @@ double FixDeformRheometer::next_rate() const
 double FixDeformRheometer::next_dilation() const
 {
   if (!targets->holds_pressure()) return 0.0;
-  return Rheometer_NS::next_dilation(stress->material(), motion->dilation, stress->pressure(),
-                                     targets->pressure(), motion->rate, targets->gain(),
-                                     interval());
+  return Rheometer_NS::next_dilation(stress->material(), motion->dilation,
+                                     stress->particle_pressure(), targets->pressure(), motion->rate,
+                                     targets->gain(), interval(), stress->drainage());
 }
 
 /* ----------------------------------------------------------------------

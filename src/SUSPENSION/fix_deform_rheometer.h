@@ -48,6 +48,7 @@ class FixDeformRheometer : public FixDeform {
   void end_of_step() override;
   void post_run() override;
   double compute_vector(int) override;
+  void *extract(const char *, int &) override;
   int modify_param(int, char **) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
@@ -82,7 +83,8 @@ class FixDeformRheometer : public FixDeform {
  private:
   FixDeformRheometer(class LAMMPS *, int, char **, std::vector<char *>);
 
-  int flow;    // Rheometer_NS::Flow
+  int flow;                       // Rheometer_NS::Flow
+  class FixPorePressure *pore;    // or null
   std::unique_ptr<class DeformTargets> targets;
   std::unique_ptr<class DeformStress> stress;
   std::unique_ptr<class DeformJudge> judge;

@@ -81,7 +81,7 @@ FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg) :
 FixDeformRheometer::FixDeformRheometer(LAMMPS *lmp, int narg, char **arg,
                                        std::vector<char *> args) :
     FixDeform(lmp, static_cast<int>(args.size()), args.data()),
-    flow(Rheometer_NS::SHEAR), targets(new DeformTargets(lmp, style)),
+    flow(Rheometer_NS::SHEAR), pore(nullptr), targets(new DeformTargets(lmp, style)),
     judge(new DeformJudge(lmp, style)), keeper(new ListKeeper(lmp, this)),
     motion(new Rheometer_NS::CellMotion()), listed(new Rheometer_NS::Cell()), fresh(true),
     stepped(false), held(nullptr), from_restart(false)
@@ -240,6 +240,16 @@ const Rheometer_NS::StrainMeans &FixDeformRheometer::means() const
 double FixDeformRheometer::strain_path() const
 {
   return motion->path;
+}
+
+/* ----------------------------------------------------------------------
+   for fix pore/pressure: d ln V/dt until the next adjustment
+------------------------------------------------------------------------- */
+
+void *FixDeformRheometer::extract(const char *name, int &dimension)
+{
+  dimension = 0;
+  return strcmp(name, "dilation") == 0 ? &motion->dilation : nullptr;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -34,7 +34,7 @@ using Pore_NS::Wall;
 
 FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new PoreSettings()), field(new PoreField(lmp)), plates(nullptr),
-    force_of_atom(nullptr), work(0.0), made_for(-1.0), tilt{}
+    dilation(nullptr), force_of_atom(nullptr), work(0.0), made_for(-1.0), tilt{}
 {
   if (!PoreField::has_library())
     error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
@@ -164,7 +164,8 @@ void FixPorePressure::setup(int /*vflag*/)
   has_flipped();
   if (plates) plates->evaluate_targets();
   const double half = 0.5 * update->dt;
-  const Now n = now(half);
+  Now n = now(half);
+  n.fluid.mean = next_mean(n.fluid.storage, field->has_pressure());
   field->deposit(n.cell, n.bits, n.fluid, n.plates);
   if (!field->has_pressure()) field->advance(half, n.fluid, n.plates);
   field->add_forces(n.fluid, n.plates);
@@ -173,7 +174,8 @@ void FixPorePressure::setup(int /*vflag*/)
 
 void FixPorePressure::post_force(int /*vflag*/)
 {
-  const Now n = now(update->dt);
+  Now n = now(update->dt);
+  n.fluid.mean = next_mean(n.fluid.storage, false);
   if (has_flipped()) field->forget();
   field->deposit(n.cell, n.bits, n.fluid, n.plates);
   field->advance(update->dt, n.fluid, n.plates);
@@ -336,7 +338,7 @@ double FixPorePressure::memory_usage()
    a head with its seal, which says how much follows; the pressure, and its seal
 ------------------------------------------------------------------------- */
 
-static constexpr std::size_t HEAD = 8;
+static constexpr std::size_t HEAD = 12;
 
 static double seal_of(const double *values, std::size_t number)
 {
@@ -355,7 +357,11 @@ void FixPorePressure::write_restart(FILE *fp)
                                 static_cast<double>(grid.lower),
                                 static_cast<double>(grid.upper),
                                 static_cast<double>(field->solutions()),
-                                made_for};
+                                made_for,
+                                mean.pressure,
+                                mean.cell,
+                                mean.volume,
+                                mean.squares};
   record.push_back(seal_of(record.data(), HEAD));
   record.insert(record.end(), p.begin(), p.end());
   record.push_back(seal_of(p.data(), p.size()));
@@ -378,7 +384,9 @@ void FixPorePressure::restart(char *buffer)
   grid.nz = static_cast<int>(head[3]);
   grid.lower = static_cast<Wall>(static_cast<int>(head[4]));
   grid.upper = static_cast<Wall>(static_cast<int>(head[5]));
-  if (grid.lower != settings->lower || grid.upper != settings->upper || head[6] == 0.0) return;
+  if (grid.lower != settings->lower || grid.upper != settings->upper) return;
+  mean = {head[8], head[9], head[10], head[11]};
+  if (head[6] == 0.0) return;
   made_for = head[7];
   field->set_grid(grid);
   if (number == grid.nodes()) field->take_pressure({p, p + number}, static_cast<int>(head[6]));

@@ -51,6 +51,10 @@ class FixPorePressure : public Fix {
   double mean_power();               // that the particles have given to the fluid, energy/time
   bool acts() const;                 // not with coupling off
 
+  // of the particles of now: mean pressure over -d ln V/dt that a layer opposes to its change of
+  // volume; 0 without a layer, or if it does not act
+  double drainage();
+
   // f_ID[1] and so on: see the manual
   // clang-format off
   struct Output {
@@ -64,10 +68,18 @@ class FixPorePressure : public Fix {
   std::unique_ptr<struct PoreSettings> settings;
   std::unique_ptr<PoreField> field;
   FixRheometerPlates *plates;
+  const double *dilation;    // d ln V/dt of fix deform/rheometer, or null
   double **force_of_atom;    // for output, force
   double work;               // of the last step on the particles of this rank, energy/time
   double made_for;           // spacing asked for when the grid was made; -1: there is none
   double tilt[3];            // of the last step: xy, xz, yz
+
+  // of a periodic cell; numbers only: a restart file holds it
+  struct MeanState {
+    double pressure = 0.0;                 // force/area
+    double cell = 0.0;                     // volume to which that belongs; 0: none
+    double volume = 0.0, squares = 0.0;    // of the particles, and of their radii
+  } mean;
 
   void parse(int, char **);
   int parse_keyword(int, int, char **);
@@ -80,6 +92,9 @@ class FixPorePressure : public Fix {
   Now now(double);
   void add_plates(Now &, double) const;
   bool has_flipped();
+  double layer_resistance();
+  double next_mean(double storage, bool is_known);
+  void find_flow();
   void measure_work();
   void measure_flow();
   void keep_forces();

@@ -296,9 +296,10 @@ void PoreField::add_forces(const Fluid &fluid, const Plates &plates)
 void PoreField::see(const Fluid &fluid)
 {
   seen.gradient = fluid.gradient;
-  seen.mean = mean_pressure(lattice, p);
+  seen.given_mean = fluid.mean;
+  seen.mean = mean_pressure(lattice, p) + fluid.mean;
   seen.largest = 0.0;
-  for (const double value : p) seen.largest = MAX(seen.largest, fabs(value));
+  for (const double value : p) seen.largest = MAX(seen.largest, fabs(value + fluid.mean));
   const bool plates = lattice.has_plates();
   seen.lower = plates ? layer_mean(lattice, p, 0) : seen.mean;
   seen.upper = plates ? layer_mean(lattice, p, lattice.ny) : seen.mean;
@@ -337,7 +338,7 @@ std::vector<PoreField::Layer> PoreField::profile() const
     Layer &layer = layers[j];
     const int up = j + 1 < lattice.layers() ? j + 1 : 0;
     layer.y = lattice.cell.origin.y + (j + 0.5) / lattice.ny * lattice.cell.yprd;
-    layer.p = 0.5 * (layer_mean(lattice, p, j) + layer_mean(lattice, p, up));
+    layer.p = 0.5 * (layer_mean(lattice, p, j) + layer_mean(lattice, p, up)) + seen.given_mean;
     layer.phi = layer.u_y = layer.q_y = 0.0;
     for (int n = j * size; n < (j + 1) * size; n++) {
       layer.phi += elements[n].phi / size;

@@ -36,6 +36,7 @@ class PoreField : protected Pointers {
     bool iterate = false;    // solver cg: to the tolerance in each step
     double tolerance = 1e-8;
     double lower = 0.0, upper = 0.0;    // given at drained plates
+    double mean = 0.0;                  // of a periodic cell; it makes no forces
     Lubcontact_NS::Vec3 gradient;       // mean one
   };
 
@@ -79,6 +80,7 @@ class PoreField : protected Pointers {
     double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures
     Pore_NS::WallFlux flux;                                        // volume/time
     double dissipation = 0.0;                                      // power
+    double given_mean = 0.0;                                       // that of a periodic cell
     Lubcontact_NS::Vec3 gradient;                                  // the mean one that was given
     double total[3] = {};                                          // force on all particles
     Pore_NS::Convergence convergence;

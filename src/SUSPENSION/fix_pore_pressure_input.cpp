@@ -44,6 +44,7 @@ static const std::map<std::string, std::string> KEYWORDS = {
     {"cell", ""},
     {"pressure", "p"},
     {"storage", "S"},
+    {"mean", "drained|undrained|layer ..."},
     {"gradient", "gx gy gz"},
     {"coupling", "implicit|explicit|off"},
     {"tolerance", "t"}};
@@ -77,6 +78,15 @@ void FixPorePressure::parse(int narg, char **arg)
   if (given.count("pressure") && !drained)
     error->all(FLERR, given["pressure"],
                "Fix pore/pressure pressure is that at drained plates, but there are none");
+  if (given.count("mean") && given.count("plates"))
+    error->all(FLERR, given["mean"],
+               "Fix pore/pressure mean is that of a periodic cell: it cannot act between plates, "
+               "whose kinds decide; remove mean");
+  if (settings->mean == PoreSettings::UNDRAINED && !(settings->storage > 0.0))
+    error->all(
+        FLERR, given["mean"],
+        "Fix pore/pressure mean undrained needs a fluid that can be compressed; add: storage "
+        "S");
 }
 
 /* ----------------------------------------------------------------------
@@ -144,6 +154,15 @@ int FixPorePressure::parse_keyword(int iarg, int narg, char **arg)
     s.drained = InputNumber(lmp, arg[iarg + 1]);
   } else if (key == "storage") {
     s.storage = positive(iarg + 1);
+  } else if (key == "mean") {
+    s.mean = static_cast<PoreSettings::Mean>(choose(iarg + 1, {"drained", "undrained", "layer"}));
+    if (s.mean != PoreSettings::LAYER) return 2;
+    require_words(FLERR, error, "fix pore/pressure", narg - iarg, "mean layer H");
+    s.layer = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+    if (!(s.layer > 0.0))
+      error->all(FLERR, iarg + 2, "Fix pore/pressure mean layer must be > 0, but is {}",
+                 arg[iarg + 2]);
+    return 3;
   } else if (key == "gradient") {
     for (int d = 0; d < 3; d++) s.gradient[d] = InputNumber(lmp, arg[iarg + 1 + d]);
     return 4;
@@ -175,6 +194,7 @@ void FixPorePressure::init()
                "constant k");
   check_others();
   check_order();
+  find_flow();
 
   plates = nullptr;
   if (!settings->plates.empty()) {

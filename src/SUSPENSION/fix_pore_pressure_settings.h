@@ -34,7 +34,10 @@ struct PoreSettings {
   Pore_NS::Wall lower = Pore_NS::Wall::PERIODIC, upper = Pore_NS::Wall::PERIODIC;
   Number drained;          // pressure at drained plates, LAMMPS' units
   double storage = 0.0;    // 1/pressure, LAMMPS' units
-  Number gradient[3];      // mean one, LAMMPS' pressure over length
+  enum Mean { DRAINED, UNDRAINED, LAYER };
+  Mean mean = DRAINED;    // pressure of a periodic cell
+  double layer = 0.0;     // height of Mean::LAYER
+  Number gradient[3];     // mean one, LAMMPS' pressure over length
   PoreField::Coupling coupling = PoreField::Coupling::IMPLICIT;
   bool iterate = false;
   double tolerance = 1e-8;

@@ -25,6 +25,14 @@
 // a heavy piston from swinging on the softest suspension, dp/d ln V = -2 P. D stops the drive from
 // ringing on a jammed packing; it takes at most 0.1 % of the stress, at the rate below which a flow
 // counts as jammed. Each step is solved exactly for constant p.
+//
+// Fluid that a layer takes in as it dilates must flow through its pores: the mean pressure of the
+// fluid is -L e, see layer_drainage() in pore_closure.h. If P is that of particles and fluid,
+//
+//   I de/dt + (C + L) e = p - P
+//
+// with p that of the particles: a dashpot more, however large, makes no loop less stable. The limit
+// of e stays P/C, one of the motion of the cell: the suction may be many P.
 
 #ifndef LMP_RHEOMETER_SERVO_H
 #define LMP_RHEOMETER_SERVO_H
@@ -74,16 +82,17 @@ inline double piston_dashpot(const Material &m, double target, double w, double 
   return std::hypot(target / (gain * w), std::sqrt(8.0 * m.inertia * target));
 }
 
-// largest |dilation| that the servo gives
+// largest |dilation| that the servo gives, with or without a layer that drains
 inline double dilation_limit(const Material &m, double target, double rate, double gain)
 {
   const double w = servo_rate(m, rate, target, PRESSURE_FLOOR);
   return w == 0.0 ? 0.0 : target / piston_dashpot(m, target, w, gain);
 }
 
-// dilation for the next step; pressure: measured, compression positive; target > 0; gain: K
+// dilation for the next step; pressure: of the particles, measured, compression positive; target >
+// 0; gain: K; drainage: L
 inline double next_dilation(const Material &m, double dilation, double pressure, double target,
-                            double rate, double gain, double dt)
+                            double rate, double gain, double dt, double drainage = 0.0)
 {
   const double still = PRESSURE_FLOOR * rearrangement_rate(m, target);
   const double w = std::hypot(rate, still);
@@ -91,7 +100,7 @@ inline double next_dilation(const Material &m, double dilation, double pressure,
   const double dashpot = piston_dashpot(m, target, w, gain);
   const double rest = still * still / (w * w), quick = REST * still * rest * rest;
   const double inertia = LAG * target / (gain * (w * w + quick * quick)) + m.inertia;
-  const double x = dashpot / inertia * dt;
+  const double x = (dashpot + drainage) / inertia * dt;
   const double next = dilation * std::exp(-x) + (pressure - target) * dt / inertia * decay_mean(x);
   return std::clamp(next, -target / dashpot, target / dashpot);
 }

@@ -1,6 +1,7 @@
 // Shows that the servos settle on what is asked for, without tuning, over the whole range of
 // materials for which they are meant. What they act on are models of a few equations, below.
 
+#include "pore_closure.h"
 #include "rheometer_servo.h"
 #include "tools.h"
 
@@ -486,6 +487,132 @@ TEST(PressureServo, DilationStaysWithinItsLimitForAnything)
     ASSERT_GE(next_dilation(m, before, p + target, target, rate, gain, dt), next);
     ASSERT_LE(next_dilation(m, 0.0, 0.0, target, rate, gain, dt), 0.0);
     ASSERT_TRUE(std::isfinite(next_rate(m, rate, p, rnd.coin() ? target : 0.0, 3.0, dt)));
+  }
+}
+
+namespace {
+
+// A layer whose pores drain, under a piston; drainage: from none to a million times its dashpot
+struct Layer {
+  Material m;
+  double rate, gain, target, dashpot, inertia, drainage;
+  explicit Layer(Random &rnd)
+  {
+    m = {rnd.coin() ? rnd.log_uniform(1e-3, 1e3) : 0.0, rnd.log_uniform(1e-3, 1e3),
+         rnd.log_uniform(0.1, 10.0), rnd.log_uniform(1e-6, 1.0)};
+    target = rnd.log_uniform(1e-2, 1e2);
+    gain = rnd.log_uniform(0.3, 3.0);
+    rate = rearrangement_rate(m, target) * rnd.log_uniform(0.1, 10.0);
+    const double w = servo_rate(m, rate, target, PRESSURE_FLOOR);
+    dashpot = piston_dashpot(m, target, w, gain);
+    inertia = DESIGNED * target / (gain * w * w) + m.inertia;
+    drainage = rnd.coin() ? dashpot * rnd.log_uniform(1e-3, 1e6) : 0.0;
+  }
+  double next(double dilation, double pressure, double dt) const
+  {
+    return next_dilation(m, dilation, pressure, target, rate, gain, dt, drainage);
+  }
+};
+
+std::ostream &operator<<(std::ostream &out, const Layer &one)
+{
+  return out << "rate " << one.rate << " gain " << one.gain << " target " << one.target
+             << " dashpot " << one.dashpot << " inertia " << one.inertia << " drainage "
+             << one.drainage;
+}
+
+}    // namespace
+
+TEST(DrainingLayer, NoneIsThePistonAloneToTheLastBit)
+{
+  Random rnd(11);
+  for (int trial = 0; trial < 20000; trial++) {
+    const Layer one(rnd);
+    const double before = one.target / one.dashpot * rnd.uniform(-1.0, 1.0);
+    const double p = one.target * rnd.uniform(-1.0, 5.0),
+                 dt = rnd.log_uniform(1e-6, 1.0) / one.rate;
+    EXPECT_EQ(next_dilation(one.m, before, p, one.target, one.rate, one.gain, dt),
+              next_dilation(one.m, before, p, one.target, one.rate, one.gain, dt, 0.0));
+  }
+}
+
+TEST(DrainingLayer, RelaxesToAStepOfPressureAsItsFluidDrains)
+{
+  // a packing of the modulus E: what is left after the time (C + eta H^2/(3 k))/E is 1/e
+  Random rnd(12);
+  int draining = 0;
+  for (int trial = 0; trial < 300; trial++) {
+    Layer one(rnd);
+    const double eta = rnd.log_uniform(1e-3, 1e3), k = rnd.log_uniform(1e-6, 1.0);
+    const double height = std::sqrt(3.0 * k * one.drainage / eta);
+    one.drainage = LAMMPS_NS::Pore_NS::layer_drainage(eta, height, k);
+    const double damping = one.dashpot + one.drainage;
+    SCOPED_TRACE(testing::Message() << one);
+    const double modulus = damping * damping / (4.0 * one.inertia) * rnd.log_uniform(1e-5, 1e-3);
+    const double time = damping / modulus, dt = time / 3000.0;
+    const double start = rnd.uniform(-0.5, 0.5) * one.target;
+    double p = one.target + start, dilation = 0.0, passed = 0.0, before = std::fabs(start);
+    while (passed < 3.0 * time) {
+      dilation = one.next(dilation, p, dt);
+      p -= modulus * dilation * dt;
+      passed += dt;
+      const double left = (p - one.target) / start;
+      ASSERT_LE(std::fabs(p - one.target), before);    // it does not ring
+      ASSERT_NEAR(left, std::exp(-passed / time), 2e-3);
+      before = std::fabs(p - one.target);
+    }
+    if (one.drainage < 1e3 * one.dashpot) continue;
+    draining++;
+    EXPECT_NEAR(eta * height * height / (3.0 * k * modulus) / time, 1.0, 1.1e-3);
+  }
+  EXPECT_GT(draining, 30);
+}
+
+TEST(DrainingLayer, OfAnySizeMakesNoLoopLessStable)
+{
+  // springs and films, which answer at once, up to what the piston alone can hold
+  Random rnd(13);
+  int smooth = 0;
+  for (int trial = 0; trial < 3000; trial++) {
+    const Layer one(rnd);
+    SCOPED_TRACE(testing::Message() << one);
+    const double dt = rnd.log_uniform(1e-6, 1e-2) / one.rate;
+    const double modulus = one.inertia / (dt * dt) * rnd.log_uniform(1e-8, 0.2);
+    const double film = one.inertia / dt * rnd.uniform(0.0, 0.5) * (rnd.coin() ? 1.0 : 0.0);
+    const double damping = one.dashpot + one.drainage + film;
+    const bool rings = damping * damping < 6.0 * one.inertia * modulus;
+    const double start = rnd.uniform(0.1, 0.5) * one.target;
+    double p = one.target + start, dilation = 0.0, peak = 0.0, late = 0.0;
+    bool crossed = false;
+    for (int n = 0; n < 4000; n++) {
+      dilation = one.next(dilation, p - film * dilation, dt);
+      p -= modulus * dilation * dt;
+      const double off = p - one.target;
+      peak = std::max(peak, std::fabs(off));
+      if (n >= 2000) late = std::max(late, std::fabs(off));
+      if (off < -1e-9 * start) crossed = true;
+    }
+    ASSERT_LE(peak, 1.2 * start);
+    ASSERT_LE(late, 1.2 * start);
+    if (rings) continue;
+    smooth++;
+    ASSERT_FALSE(crossed);
+    ASSERT_LE(peak, start);
+  }
+  EXPECT_GT(smooth, 1000);
+}
+
+TEST(DrainingLayer, SucksWithManyTimesTheTargetButMovesNoFasterThanThePiston)
+{
+  const Material m{1.0, 1e-6, 2.0, 1e-9};
+  const double rate = 0.1, dashpot = piston_dashpot(m, 1.0, rate, 1.0);
+  for (const double drainage : {0.0, 1.0, 1e3, 1e6}) {
+    const double layer = drainage * dashpot;
+    // dense: it dilates at a rate at which the fluid takes up what the particles press too much
+    const double dilation = next_dilation(m, 0.0, 41.0, 1.0, rate, 1.0, 1e9, layer);
+    const double expected = std::fmin(40.0 / (dashpot + layer), dilation_limit(m, 1.0, rate, 1.0));
+    EXPECT_NEAR(dilation, expected, 1e-6 * expected);
+    if (drainage > 100.0) { EXPECT_NEAR(layer * dilation, 40.0, 0.1); }
   }
 }
 

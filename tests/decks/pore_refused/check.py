@@ -19,7 +19,16 @@ CASES = [    # lines in place of the fix, message, underlined word or None, boun
     (STYLE + " v_minus", "viscosity must be > 0, but is -1 at step 0", None),
     (STYLE + " v_later", "viscosity must be > 0, but is 0 at step 1", None),
     (F + " ratio 1", "Unknown fix pore/pressure keyword: ratio", "ratio"),
-    (F + " mean drained", "Unknown fix pore/pressure keyword: mean", "mean"),
+    (F + " mean", "missing argument: drained|undrained|layer", None),
+    (F + " mean wet", "mean must be one of drained undrained layer, but is wet", "wet"),
+    (F + " mean layer", "missing argument: H", None),
+    (F + " mean layer 0", "mean layer must be > 0, but is 0", "0"),
+    (F + " mean layer deep", "instead of 'deep'", None),
+    (F + OPEN + " mean drained", "it cannot act between plates, whose kinds decide; remove mean", "mean"),
+    (F + " mean undrained", "mean undrained needs a fluid that can be compressed; add: storage S", "mean"),
+    (F + " cell mean layer 5", "mean layer follows the dilation of a fix deform/rheometer, but there is none: add one, or use mean "
+     "drained or undrained", None),
+    (F + " cell mean layer 5\nfix d between deform 1 x erate 0.1 remap v", "mean layer follows the dilation of a fix deform/rheometer", None),
     (F + " factor 1 factor 2", "factor is given twice", "factor"),
     (F + " solver", "missing argument: grid|cg", None),
     (F + " solver network", "solver must be one of grid cg, but is network", "network"),
@@ -95,6 +104,12 @@ deck.expect_error("discs", run(F, "p p p", dim=2), "has no law of permeability f
 for fix in GOOD:
     text = run(fix, fails=False)
     deck.expect(f"good: {fix}".replace("\n", "; "), "WARNING: Fix pore" not in text)
+
+# a layer, before or after the fix that moves the cell
+STRETCH, LAYER = "fix d between deform/rheometer flow uniaxial rate 0.1 pressure 1", F + " cell mean layer 5"
+for fixes in ((STRETCH, LAYER), (LAYER, STRETCH)):
+    text = run("\n".join(fixes), "p p p", fails=False)
+    deck.expect("good: " + "; ".join(fixes), "WARNING: Fix pore" not in text)
 
 # a restart file with a damaged byte
 run(F + " grid 3 3 3\nrun 2\nwrite_restart good.restart", "p p p", fails=False)
