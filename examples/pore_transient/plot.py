@@ -102,7 +102,8 @@ def half(strain, phi, start, end):
 
 def numbers(name, strain, p, tau, phi, start, end):
     worst = np.argmax(np.abs(p))
-    at = [np.interp(s, strain, p) for s in (0.1, 1.0)]
+    middle = p[(strain > 0.5) & (strain <= 1.5)]
+    at = (np.interp(0.1, strain, p), middle.mean() if len(middle) else np.nan)
     print(f"{name:22s} {at[0]:8.2f} {at[1]:8.2f} {p[worst]:8.2f} at {strain[worst]:5.2f} {half(strain, phi, start, end):6.2f} "
           f"{tau.max():7.2f} {tau.min():7.2f} {np.mean(tau[strain > strain[-1] * 2 / 3]):7.2f} {phi[-1]:7.3f}")
 
@@ -123,7 +124,7 @@ def draw(cases, profiles):
             print(f"\n{name}: Iv {case['iv'][0]:g}, H {case['height'][0]:.1f} radii, start at {case['phi0'][0]:.4f}, "
                   f"Pi {case['iv'][0] * case['height'][0] ** 2 / k:.3g}")
             ends = (case["phi0"][0], last(off)[0])
-            print(f"{'':22s} {'p(.1)/P':>8s} {'p(1)/P':>8s} {'largest':>8s} {'':8s} {'half':>6s} {'max':>7s} {'min':>7s} {'end':>7s} {'phi':>7s}")
+            print(f"{'':22s} {'p(.1)/P':>8s} {'p(~1)/P':>8s} {'largest':>8s} {'':8s} {'half':>6s} {'max':>7s} {'min':>7s} {'end':>7s} {'phi':>7s}")
             numbers("run", case["strain"], case["pore_low"], case["shear_low"], case["phi"], *ends)
             if style != "off":
                 for shared in ("stress", "rate"):
