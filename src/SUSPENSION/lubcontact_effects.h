@@ -44,11 +44,11 @@ constexpr unsigned canonical(unsigned mask)
 constexpr unsigned covering(unsigned mask)
 {
   const unsigned extensions = mask & EXTENSIONS;
-  unsigned films = mask & SHEAR;
-  if (mask & (ROLL | TWIST)) {
-    films = SHEAR | ROLL | TWIST;
-    if (!extensions && !(mask & ROLL)) films = SHEAR | TWIST;
-    if (!extensions && !(mask & SHEAR)) films = ROLL | TWIST;
+  unsigned films = mask & (SHEAR | ROLL | TWIST);
+  // one film of the spins alone is rare, and so are extensions without some film
+  if (films & (ROLL | TWIST)) {
+    if (extensions) films = SHEAR | ROLL | TWIST;
+    if (films == ROLL || films == TWIST) films = ROLL | TWIST;
   }
   const unsigned threshold = extensions ? THRESHOLD : mask & THRESHOLD;
   const unsigned friction = mask & FRICTION ? FRICTION | threshold : 0;
@@ -67,13 +67,15 @@ template <unsigned X> constexpr auto instances()
 {
   constexpr unsigned S = SQUEEZE, F = FRICTION, T = FRICTION | THRESHOLD;
   constexpr unsigned film = SHEAR, films = SHEAR | ROLL | TWIST, no_roll = SHEAR | TWIST,
-                     no_shear = ROLL | TWIST;
+                     no_twist = SHEAR | ROLL, no_shear = ROLL | TWIST;
   if constexpr (X == 0)
-    return std::integer_sequence<
-        unsigned, 0, F, T, film, film | F, film | T, no_roll, no_roll | F, no_roll | T, no_shear,
-        no_shear | F, no_shear | T, films, films | F, films | T, S, S | F, S | T, S | film,
-        S | film | F, S | film | T, S | no_roll, S | no_roll | F, S | no_roll | T, S | no_shear,
-        S | no_shear | F, S | no_shear | T, S | films, S | films | F, S | films | T>();
+    return std::integer_sequence<unsigned, 0, F, T, film, film | F, film | T, no_roll, no_roll | F,
+                                 no_roll | T, no_twist, no_twist | F, no_twist | T, no_shear,
+                                 no_shear | F, no_shear | T, films, films | F, films | T, S, S | F,
+                                 S | T, S | film, S | film | F, S | film | T, S | no_roll,
+                                 S | no_roll | F, S | no_roll | T, S | no_twist, S | no_twist | F,
+                                 S | no_twist | T, S | no_shear, S | no_shear | F, S | no_shear | T,
+                                 S | films, S | films | F, S | films | T>();
   else
     return with_extensions<X>(
         std::integer_sequence<unsigned, 0, F, film, film | F, films, films | F, S, S | F, S | film,
