@@ -72,8 +72,7 @@ void ComputePowerPartition::init()
   for (const auto &fix : modify->get_fix_list())
     if (auto *drag = dynamic_cast<FixBackgroundFluid *>(fix)) drags.push_back(drag);
   inertia->find(lmp);
-  const auto pores = modify->get_fix_by_style("^pore/pressure");
-  pore = pores.empty() ? nullptr : dynamic_cast<FixPorePressure *>(pores.front());
+  pore = FixPorePressure::find(lmp);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -63,8 +63,7 @@ void ComputeStressPartition::init()
 {
   pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
-  const auto pores = modify->get_fix_by_style("^pore/pressure");
-  pore = pores.empty() ? nullptr : dynamic_cast<FixPorePressure *>(pores.front());
+  pore = FixPorePressure::find(lmp);
 }
 
 /* ----------------------------------------------------------------------

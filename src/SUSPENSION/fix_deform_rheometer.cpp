@@ -86,8 +86,7 @@ void FixDeformRheometer::init()
   h_ratelo = domain->h_ratelo;
   kspace_flag = force->kspace ? 1 : 0;
   varflag = 0;
-  const auto pores = modify->get_fix_by_style("^pore/pressure");
-  pore = pores.empty() ? nullptr : dynamic_cast<FixPorePressure *>(pores.front());
+  pore = FixPorePressure::find(lmp);
   stress->init();
   publish_rates();
 }

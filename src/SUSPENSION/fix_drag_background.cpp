@@ -39,25 +39,6 @@ struct Saved {
 
 }    // namespace
 
-static Vec3 vector(const double *a)
-{
-  return {a[0], a[1], a[2]};
-}
-
-static void put(const Vec3 &a, double *to)
-{
-  to[0] = a.x;
-  to[1] = a.y;
-  to[2] = a.z;
-}
-
-static void add(const Vec3 &a, double *to)
-{
-  to[0] += a.x;
-  to[1] += a.y;
-  to[2] += a.z;
-}
-
 /* ----------------------------------------------------------------------
    fix ID group drag/background eta keyword value ...
 ------------------------------------------------------------------------- */
@@ -156,10 +137,10 @@ void FixDragBackground::drag_all(bool full)
   auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &fluid_v, double *f) {
     const double x = coefficient * dt / mass;
     const double mean = full ? Fluid_NS::mean_drag_full(x) : Fluid_NS::mean_drag(x);
-    const Vec3 others = vector(f);
+    const Vec3 others = Lubcontact_NS::get_vector(f);
     const Vec3 all = Fluid_NS::damped(mean, coefficient, others, v, fluid_v);
     const Vec3 now = full ? v : v + (0.5 * dt / mass) * all;    // at the full step
-    put(all, f);
+    Lubcontact_NS::put_vector(all, f);
     const Vec3 mine = all - others;
     power -= dot(mine, now);
     sums[POWER] -= dot(mine, now - fluid_v);
@@ -171,11 +152,14 @@ void FixDragBackground::drag_all(bool full)
     const Fluid_NS::Drag drag = fluid->drag(i);
     if (drag.translation == 0.0) continue;
     const Fluid_NS::Flow flow = fluid->flow_at(i);
-    add(damp(drag.translation, atom->rmass[i], vector(atom->v[i]), flow.velocity, atom->f[i]),
-        &sums[FORCE]);
-    add(damp(drag.rotation, inertia->of(atom, i), vector(atom->omega[i]), flow.spin,
-             atom->torque[i]),
-        &sums[TORQUE]);
+    Lubcontact_NS::add_vector(damp(drag.translation, atom->rmass[i],
+                                   Lubcontact_NS::get_vector(atom->v[i]), flow.velocity,
+                                   atom->f[i]),
+                              &sums[FORCE]);
+    Lubcontact_NS::add_vector(damp(drag.rotation, inertia->of(atom, i),
+                                   Lubcontact_NS::get_vector(atom->omega[i]), flow.spin,
+                                   atom->torque[i]),
+                              &sums[TORQUE]);
     sums[NUMBER] += 1.0;
   }
 }

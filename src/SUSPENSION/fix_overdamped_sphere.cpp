@@ -27,18 +27,6 @@ using Fluid_NS::Drag;
 using Fluid_NS::Flow;
 using Fluid_NS::Vec3;
 
-static Vec3 vector(const double *a)
-{
-  return {a[0], a[1], a[2]};
-}
-
-static void put(const Vec3 &a, double *to)
-{
-  to[0] = a.x;
-  to[1] = a.y;
-  to[2] = a.z;
-}
-
 /* ----------------------------------------------------------------------
    fix ID group overdamped/sphere eta keyword value ...
 ------------------------------------------------------------------------- */
@@ -160,12 +148,13 @@ void FixOverdampedSphere::initial_integrate(int /*vflag*/)
     const Drag drag = fluid->drag(i);
     check_particle(i, drag);
     const Flow flow = fluid->flow_at(i);
-    const Vec3 force = vector(atom->f[i]), torque = vector(atom->torque[i]);
+    const Vec3 force = Lubcontact_NS::get_vector(atom->f[i]),
+               torque = Lubcontact_NS::get_vector(atom->torque[i]);
     const Vec3 v = Fluid_NS::overdamped(drag.translation, force, flow.velocity);
     const Vec3 omega = Fluid_NS::overdamped(drag.rotation, torque, flow.spin);
-    put(v, atom->v[i]);
-    put(omega, atom->omega[i]);
-    put(vector(atom->x[i]) + dt * v, atom->x[i]);
+    Lubcontact_NS::put_vector(v, atom->v[i]);
+    Lubcontact_NS::put_vector(omega, atom->omega[i]);
+    Lubcontact_NS::put_vector(Lubcontact_NS::get_vector(atom->x[i]) + dt * v, atom->x[i]);
 
     sums[POWER] += dot(force, v - flow.velocity) + dot(torque, omega - flow.spin);
     const double drags[] = {-force.x, -force.y, -force.z, -torque.x, -torque.y, -torque.z};

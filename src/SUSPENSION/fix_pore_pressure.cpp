@@ -63,6 +63,12 @@ FixPorePressure::~FixPorePressure()
   memory->destroy(force_of_atom);
 }
 
+FixPorePressure *FixPorePressure::find(LAMMPS *lmp)
+{
+  const auto fixes = lmp->modify->get_fix_by_style("^pore/pressure");
+  return fixes.empty() ? nullptr : dynamic_cast<FixPorePressure *>(fixes.front());
+}
+
 int FixPorePressure::setmask()
 {
   return FixConst::POST_FORCE;
@@ -275,7 +281,7 @@ double FixPorePressure::compute_vector(int n)
     case Output::UPPER_FLUX:
       return r.flux.upper / field->grid().wall_area();
     case Output::DISSIPATION:
-      return r.dissipation * unit / field->grid().volume();
+      return field->dissipation() * unit / field->grid().volume();
     case Output::FX:
     case Output::FY:
     case Output::FZ:

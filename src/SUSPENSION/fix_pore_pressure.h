@@ -31,6 +31,7 @@ class FixPorePressure : public Fix {
  public:
   FixPorePressure(class LAMMPS *, int, char **);
   ~FixPorePressure() override;
+  static FixPorePressure *find(class LAMMPS *);    // or null
   int setmask() override;
   void init() override;
   void setup(int) override;

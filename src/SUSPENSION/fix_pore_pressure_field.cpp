@@ -87,11 +87,6 @@ void PoreField::take_pressure(const std::vector<double> &values, int solutions)
 
 /* ---------------------------------------------------------------------- */
 
-static Vec3 vector_at(const double *a)
-{
-  return {a[0], a[1], a[2]};
-}
-
 void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &fluid,
                         const Plates &plates)
 {
@@ -185,8 +180,8 @@ void PoreField::sum_motion(const Field &of_pressure, double dt, bool whole, cons
       if (dt > 0.0) v = (span * one.inverse_mass) * pore_force(one.stencil, volume, gradient);
       if (whole) {
         const auto flow = Suspension_NS::cell_velocity(domain, atom->x[one.i]);
-        v = v + vector_at(atom->v[one.i]) - Vec3{flow[0], flow[1], flow[2]} +
-            (dt * one.inverse_mass) * vector_at(atom->f[one.i]);
+        v = v + Lubcontact_NS::get_vector(atom->v[one.i]) - Vec3{flow[0], flow[1], flow[2]} +
+            (dt * one.inverse_mass) * Lubcontact_NS::get_vector(atom->f[one.i]);
       }
     }
     add_motion(one.stencil, v, one.inverse_mass, volume, mine.data());
@@ -303,13 +298,19 @@ void PoreField::see(const Fluid &fluid)
   const bool plates = lattice.has_plates();
   seen.lower = plates ? layer_mean(lattice, p, 0) : seen.mean;
   seen.upper = plates ? layer_mean(lattice, p, lattice.ny) : seen.mean;
-  seen.dissipation = dissipation(lattice, matrix, mobility, fluid.gradient, p);
   seen.k_min = HUGE_VAL;
   seen.k_max = 0.0;
   for (const Pore_NS::Element &e : elements) {
     seen.k_min = MIN(seen.k_min, e.permeability);
     seen.k_max = MAX(seen.k_max, e.permeability);
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PoreField::dissipation() const
+{
+  return elements.empty() ? 0.0 : Pore_NS::dissipation(lattice, matrix, mobility, seen.gradient, p);
 }
 
 /* ----------------------------------------------------------------------

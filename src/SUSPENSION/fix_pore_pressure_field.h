@@ -79,7 +79,6 @@ class PoreField : protected Pointers {
   struct Report {
     double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures
     Pore_NS::WallFlux flux;                                        // volume/time
-    double dissipation = 0.0;                                      // power
     double given_mean = 0.0;                                       // that of a periodic cell
     Lubcontact_NS::Vec3 gradient;                                  // the mean one that was given
     double total[3] = {};                                          // force on all particles
@@ -88,6 +87,7 @@ class PoreField : protected Pointers {
     double explicit_step = 0.0;
   };
   const Report &report() const { return seen; }
+  double dissipation() const;    // power of the flow through the pores, when it is asked for
   // Velocities and flux of this moment; of the particles as they were deposited, if they still are
   // there.
   void measure_flow(const Lubcontact_NS::Vec3 &upper_plate);

@@ -50,18 +50,6 @@ void add_virial(const Force *, const Atom *, LubcontactQueue &);
 
 [[noreturn]] void overlap_error(LAMMPS *, int i, int j, double overlap);
 
-inline Vec3 vector_at(const double *a)
-{
-  return {a[0], a[1], a[2]};
-}
-
-inline void add_to(const Vec3 &a, double *sum)
-{
-  sum[0] += a.x;
-  sum[1] += a.y;
-  sum[2] += a.z;
-}
-
 template <class E> class LubcontactLoop : protected Pointers {
  public:
   LubcontactLoop(LAMMPS *lmp, const LubcontactStep &now) :
@@ -83,8 +71,8 @@ template <class E> class LubcontactLoop : protected Pointers {
   void tally_pair(int lane, const double *old, const PairGeometry &, const Load &);
   Body body(int i) const
   {
-    return {vector_at(atom->x[i]), vector_at(atom->v[i]), vector_at(atom->omega[i]),
-            atom->radius[i]};
+    return {Lubcontact_NS::get_vector(atom->x[i]), Lubcontact_NS::get_vector(atom->v[i]),
+            Lubcontact_NS::get_vector(atom->omega[i]), atom->radius[i]};
   }
 };
 
@@ -107,14 +95,14 @@ template <class E> void LubcontactLoop<E>::run()
     const int jnum = list->numneigh[i];
     int *known = SIZE ? history.known(i) : nullptr;
     double *histories = SIZE ? history.values(i) : nullptr;
-    const Vec3 xi = vector_at(x[i]);
+    const Vec3 xi = Lubcontact_NS::get_vector(x[i]);
     const double ri = radius[i];
     const Lubcontact_NS::RangeOf range = step.pairs.around(i);
 
     for (int jj = 0; jj < jnum; jj++) {
       const int entry = jlist[jj], j = entry & NEIGHMASK;
       if (force->special_lj[entry >> SBBITS & 3] == 0.0) continue;
-      const Vec3 d = xi - vector_at(x[j]);
+      const Vec3 d = xi - Lubcontact_NS::get_vector(x[j]);
       const double rsq = dot(d, d);
       const int jtype = type[j];
       const double a = range.acting(rsq, radius[j], jtype, jj);
@@ -162,9 +150,10 @@ template <class E> void LubcontactLoop<E>::fill()
     const PairCoeffs &c = *queue.coeffs[l];
     for (int m = 0; m < SIZE; m++) b.history[m][l] = queue.history[l][m];
     if constexpr (E::turns || E::twist) {
-      put_lane(vector_at(atom->v[i]) - vector_at(atom->v[j]), b.v, l);
-      put_lane(vector_at(atom->omega[i]), b.omega_i, l);
-      put_lane(vector_at(atom->omega[j]), b.omega_j, l);
+      put_lane(Lubcontact_NS::get_vector(atom->v[i]) - Lubcontact_NS::get_vector(atom->v[j]), b.v,
+               l);
+      put_lane(Lubcontact_NS::get_vector(atom->omega[i]), b.omega_i, l);
+      put_lane(Lubcontact_NS::get_vector(atom->omega[j]), b.omega_j, l);
       b.kt[l] = c.kt;
       b.mu[l] = c.mu;
     }
@@ -255,11 +244,11 @@ template <class E> [[gnu::noinline]] void LubcontactLoop<E>::flush()
       torque_j = Lubcontact_NS::torque_on_j(load, geometry);
       put_lane(force_i, queue.batch.force, l);
     }
-    add_to(force_i, f[i]);
-    if (TORQUE) add_to(torque_i, torque[i]);
+    Lubcontact_NS::add_vector(force_i, f[i]);
+    if (TORQUE) Lubcontact_NS::add_vector(torque_i, torque[i]);
     if (force->newton_pair || j < atom->nlocal) {
-      add_to(-1.0 * force_i, f[j]);
-      if (TORQUE) add_to(torque_j, torque[j]);
+      Lubcontact_NS::add_vector(-1.0 * force_i, f[j]);
+      if (TORQUE) Lubcontact_NS::add_vector(torque_j, torque[j]);
     }
     if (asked) tally_pair(l, old, geometry, load);
   }

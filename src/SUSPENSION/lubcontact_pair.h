@@ -93,18 +93,6 @@ template <class E> LUBCONTACT_FN inline double frictional_load(const PairCoeffs 
   return contact;
 }
 
-LUBCONTACT_FN inline Vec3 get_vector(const double *slot)
-{
-  return {slot[0], slot[1], slot[2]};
-}
-
-LUBCONTACT_FN inline void put_vector(const Vec3 &a, double *slot)
-{
-  slot[0] = a.x;
-  slot[1] = a.y;
-  slot[2] = a.z;
-}
-
 // History of a pair seen for the first time.
 template <class E>
 LUBCONTACT_FN inline void first_history(const PairCoeffs &c, const PairGeometry &g, double *next)

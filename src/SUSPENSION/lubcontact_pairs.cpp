@@ -28,11 +28,6 @@ using Lubcontact_NS::RangeOf;
 using Lubcontact_NS::Settings;
 using Lubcontact_NS::Vec3;
 
-static Vec3 vector(const double *a)
-{
-  return {a[0], a[1], a[2]};
-}
-
 /* ---------------------------------------------------------------------- */
 
 LubcontactPairs::LubcontactPairs(LAMMPS *lmp) :
@@ -72,7 +67,7 @@ double LubcontactPairs::acting(int i, int n) const
 {
   const int entry = neighbors->firstneigh[i][n], j = entry & NEIGHMASK;
   if (!acts_by_special(entry)) return 0.0;
-  const Vec3 d = vector(atom->x[i]) - vector(atom->x[j]);
+  const Vec3 d = Lubcontact_NS::get_vector(atom->x[i]) - Lubcontact_NS::get_vector(atom->x[j]);
   return around(i).acting(dot(d, d), atom->radius[j], atom->type[j], n);
 }
 
@@ -98,7 +93,8 @@ void LubcontactPairs::each(const Entries &visit) const
 
 PairGeometry LubcontactPairs::geometry(int i, int j, double a) const
 {
-  return Lubcontact_NS::pair_geometry(vector(atom->x[i]), vector(atom->x[j]), atom->radius[i],
+  return Lubcontact_NS::pair_geometry(Lubcontact_NS::get_vector(atom->x[i]),
+                                      Lubcontact_NS::get_vector(atom->x[j]), atom->radius[i],
                                       atom->radius[j], a);
 }
 

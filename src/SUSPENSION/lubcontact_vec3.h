@@ -70,6 +70,26 @@ LUBCONTACT_FN inline Vec3 turned(const Vec3 &a, const Vec3 &c)
   return a + (1.0 / (1.0 + 0.25 * dot(c, c))) * (ca + 0.5 * cross(c, ca));
 }
 
+// as three numbers in a row
+LUBCONTACT_FN inline Vec3 get_vector(const double *numbers)
+{
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+LUBCONTACT_FN inline void put_vector(const Vec3 &a, double *numbers)
+{
+  numbers[0] = a.x;
+  numbers[1] = a.y;
+  numbers[2] = a.z;
+}
+
+LUBCONTACT_FN inline void add_vector(const Vec3 &a, double *sum)
+{
+  sum[0] += a.x;
+  sum[1] += a.y;
+  sum[2] += a.z;
+}
+
 }    // namespace LAMMPS_NS::Lubcontact_NS
 
 #endif
