@@ -161,8 +161,7 @@ void FixPorePressure::add_plates(Now &n, double dt) const
 
 /* ----------------------------------------------------------------------
    A pressure that is known, from a restart file or the last run, has made the forces of this
-   moment. Weights are made anew every so many steps since neighbor lists were, which is done when a
-   restart file is written, too: the run that continues it is then the same. The first one is that of half a step: velocities are those of the same moment as
+   moment. The first one is that of half a step: velocities are those of the same moment as
    positions.
 ------------------------------------------------------------------------- */
 
@@ -179,6 +178,11 @@ void FixPorePressure::setup(int /*vflag*/)
   field->add_forces(n.fluid, n.plates);
   keep_forces();
 }
+
+/* ----------------------------------------------------------------------
+   Weights are made anew every so many steps since the neighbor lists were, which is done when a
+   restart file is written, too: the run that continues it is then the same.
+------------------------------------------------------------------------- */
 
 void FixPorePressure::post_force(int /*vflag*/)
 {

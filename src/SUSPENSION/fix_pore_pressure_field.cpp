@@ -13,6 +13,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "force.h"
+#include "pore_spread.h"
 #include "suspension_host.h"
 
 #ifdef SUSPENSION_FFTW
@@ -26,6 +27,7 @@ using namespace LAMMPS_NS;
 using Lubcontact_NS::Vec3;
 using Pore_NS::Convergence;
 using Pore_NS::Field;
+using Pore_NS::Lanes;
 using Pore_NS::Motion;
 
 static constexpr int MOST_ITERATIONS = 1000;
@@ -144,6 +146,7 @@ void PoreField::make_stencils(int groupbits, const Fluid &fluid, const Plates &p
   elements = make_elements(lattice, fluid.law, sums);
 
   particles.clear();
+  stencils.clear();
   pushed.assign(nlocal, Vec3());
   std::vector<double> my_bound(lattice.elements());
   bound.resize(lattice.elements());
@@ -152,10 +155,11 @@ void PoreField::make_stencils(int groupbits, const Fluid &fluid, const Plates &p
       double inverse_mass = force->ftm2v / atom->rmass[i];
       if (atom->mask[i] & plates.lower_bit) inverse_mass = 0.0;
       if (atom->mask[i] & plates.upper_bit) inverse_mass = yield_of_plate / atom->rmass[i];
-      particles.push_back(
-          {i, inverse_mass, make_stencil(lattice, m, elements, place(i), inside(i))});
-      add_bound(particles.back().stencil, inverse_mass, lattice.element_volume(), my_bound.data());
+      particles.push_back({i, inverse_mass});
+      stencils.push_back(make_stencil(lattice, m, elements, place(i), inside(i)));
+      add_bound(stencils.back(), inverse_mass, lattice.element_volume(), my_bound.data());
     }
+  of_pores.resize(particles.size());
   MPI_Allreduce(my_bound.data(), bound.data(), static_cast<int>(bound.size()), MPI_DOUBLE, MPI_SUM,
                 world);
 }
@@ -164,14 +168,14 @@ void PoreField::make_stencils(int groupbits, const Fluid &fluid, const Plates &p
    of a pressure on the upper plate, if that can move
 ------------------------------------------------------------------------- */
 
-Vec3 PoreField::force_on_plate(const Field &of_pressure, const std::vector<Vec3> &gradient,
+Vec3 PoreField::force_on_plate(const Field &of_pressure, const std::vector<Lanes> &gradient,
                                const Plates &plates) const
 {
   if (plates.response.x == 0.0 && plates.response.y == 0.0) return {};
   Vec3 mine, all;
-  for (const Particle &one : particles)
-    if (atom->mask[one.i] & plates.upper_bit)
-      mine = mine + pore_force(one.stencil, lattice.element_volume(), gradient);
+  for (std::size_t n = 0; n < particles.size(); n++)
+    if (atom->mask[particles[n].i] & plates.upper_bit)
+      mine = mine + pore_force(stencils[n], lattice.element_volume(), gradient);
   MPI_Allreduce(&mine.x, &all.x, 3, MPI_DOUBLE, MPI_SUM, world);
   if (plates.push_upper) all.y += wall_force(lattice, of_pressure).upper;
   return all;
@@ -189,14 +193,15 @@ void PoreField::sum_motion(const Velocity &of_particle, const Vec3 &upper, const
   sums.resize(lattice.elements());
   of_wall = {0.0, upper.y};
   const int plate_bits = plates.lower_bit | plates.upper_bit;
-  for (const Particle &one : particles) {
-    Vec3 v;
-    if (!(atom->mask[one.i] & plate_bits))
-      v = of_particle(one);
-    else if (atom->mask[one.i] & plates.upper_bit)
-      v = upper;
-    add_motion(one.stencil, v, mine.data());
+  std::vector<Lanes> velocities(particles.size());
+  for (std::size_t n = 0; n < particles.size(); n++) {
+    const int mask = atom->mask[particles[n].i];
+    if (!(mask & plate_bits))
+      velocities[n] = {of_particle(particles[n], n)};
+    else if (mask & plates.upper_bit)
+      velocities[n] = {upper};
   }
+  Pore_NS::add_motions(stencils, velocities, mine.data());
   MPI_Allreduce(mine.data(), sums.data(), static_cast<int>(sums.size()) * Pore_NS::MOTIONS,
                 MPI_DOUBLE, MPI_SUM, world);
 }
@@ -214,23 +219,23 @@ static bool is_same_outside(const PoreField::Fluid &a, const PoreField::Fluid &b
 
 void PoreField::predict_motion(double dt, const Fluid &fluid, const Plates &plates)
 {
-  std::vector<Vec3> gradient;
+  std::vector<Lanes> gradient;
   Vec3 upper = plates.velocity;
   if (dt > 0.0) {
     gradient = gradients(lattice, p, fluid.gradient);
     const Vec3 push = force_on_plate(p, gradient, plates);
     upper = upper + dt * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
   }
-  const double volume = lattice.element_volume();
   // weights and pressures of the last step have made the same forces
   const bool known = !fresh && age > 0 && is_same_outside(fluid, seen.outside);
+  if (dt > 0.0 && !known)
+    Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, of_pores);
   const Suspension_NS::CellFlow cell(domain);
-  auto velocity = [&](const Particle &one) {
+  auto velocity = [&](const Particle &one, std::size_t n) {
     using Lubcontact_NS::get_vector;
     const Vec3 v = get_vector(atom->v[one.i]) - get_vector(cell.at(atom->x[one.i]).data());
     if (dt == 0.0) return v;
-    const Vec3 f = known ? pushed[one.i] : pore_force(one.stencil, volume, gradient);
-    return Pore_NS::predicted(v, get_vector(atom->f[one.i]), f, one.inverse_mass, dt);
+    return Pore_NS::predicted(v, get_vector(atom->f[one.i]), of_pores[n], one.inverse_mass, dt);
   };
   sum_motion(velocity, upper, plates, motion, wall);
 }
@@ -242,11 +247,12 @@ void PoreField::predict_motion(double dt, const Fluid &fluid, const Plates &plat
 void PoreField::respond(const Field &of_pressure, const Plates &plates, std::vector<Motion> &sums,
                         Pore_NS::WallVelocity &of_wall) const
 {
-  const std::vector<Vec3> gradient = gradients(lattice, of_pressure);
+  const std::vector<Lanes> gradient = gradients(lattice, of_pressure);
   const Vec3 push = force_on_plate(of_pressure, gradient, plates);
-  const double volume = lattice.element_volume();
-  auto acceleration = [&](const Particle &one) {
-    return one.inverse_mass * pore_force(one.stencil, volume, gradient);
+  std::vector<Lanes> forces(particles.size());
+  Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, forces);
+  auto acceleration = [&](const Particle &one, std::size_t n) {
+    return one.inverse_mass * forces[n];
   };
   sum_motion(acceleration, {plates.response.x * push.x, plates.response.y * push.y, 0.0}, plates,
              sums, of_wall);
@@ -283,7 +289,8 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
       of_mean = step * area * area * plates.response.y /
           (share * static_cast<double>(lattice.elements()));
   }
-  const double c = Pore_NS::largest(Pore_NS::implicit_mobilities(mobility, bound, step)) + step * of_plate;
+  const double c =
+      Pore_NS::largest(Pore_NS::implicit_mobilities(mobility, bound, step)) + step * of_plate;
   const double s = storage + of_mean;
   Field change;
   seen.convergence = {};
@@ -321,15 +328,16 @@ void PoreField::add_forces(const Fluid &fluid, const Plates &plates)
 {
   const int lower_bits = plates.push_lower ? plates.lower_bit : 0;
   const int upper_bits = plates.push_upper ? plates.upper_bit : 0;
-  const std::vector<Vec3> gradient = gradients(lattice, p, fluid.gradient);
-  const double volume = lattice.element_volume();
+  const std::vector<Lanes> gradient = gradients(lattice, p, fluid.gradient);
+  Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, of_pores);
   double mine[5] = {}, all[5];    // force, particles of the plates
-  for (const Particle &one : particles) {
-    pushed[one.i] = pore_force(one.stencil, volume, gradient);
-    if (domain->dimension == 2) pushed[one.i].z = 0.0;    // but for rounding it is
-    mine[0] += pushed[one.i].x;
-    mine[1] += pushed[one.i].y;
-    mine[2] += pushed[one.i].z;
+  for (std::size_t n = 0; n < particles.size(); n++) {
+    const Particle &one = particles[n];
+    if (domain->dimension == 2) of_pores[n].z = 0.0;    // but for rounding it is
+    pushed[one.i] = of_pores[n];
+    mine[0] += of_pores[n].x;
+    mine[1] += of_pores[n].y;
+    mine[2] += of_pores[n].z;
     if (atom->mask[one.i] & lower_bits) mine[3] += 1.0;
     if (atom->mask[one.i] & upper_bits) mine[4] += 1.0;
   }
@@ -397,7 +405,7 @@ std::vector<PoreField::Layer> PoreField::profile() const
 {
   std::vector<Layer> layers(lattice.ny);
   if (elements.empty()) return layers;
-  const std::vector<Vec3> gradient = gradients(lattice, p, seen.outside.gradient);
+  const std::vector<Lanes> gradient = gradients(lattice, p, seen.outside.gradient);
   const int size = lattice.layer_size();
   for (int j = 0; j < lattice.ny; j++) {
     Layer &layer = layers[j];
@@ -422,6 +430,7 @@ double PoreField::memory_usage() const
                                  (2 * sizeof(Pore_NS::Moments) + sizeof(Pore_NS::Element) +
                                   3 * sizeof(Motion) + sizeof(Vec3) + 3 * sizeof(double)) +
                              6 * lattice.nodes() * sizeof(double) +
-                             particles.capacity() * sizeof(Particle) +
+                             particles.capacity() *
+                                 (sizeof(Particle) + sizeof(Pore_NS::Stencil) + 2 * sizeof(Lanes)) +
                              pushed.capacity() * sizeof(Vec3));
 }

@@ -105,7 +105,6 @@ class PoreField : protected Pointers {
   struct Particle {
     int i;
     double inverse_mass;    // of one that is free, or what of its mass a plate has
-    Pore_NS::Stencil stencil;
   };
 
   Pore_NS::Grid lattice;
@@ -122,12 +121,14 @@ class PoreField : protected Pointers {
   std::vector<Pore_NS::Motion> motion;
   std::vector<double> mobility, bound;
   std::vector<Particle> particles;
-  std::vector<Lubcontact_NS::Vec3> pushed;    // forces of the pressure
+  std::vector<Pore_NS::Stencil> stencils;     // of the particles
+  std::vector<Pore_NS::Lanes> of_pores;       // forces of the flow through the pores on them
+  std::vector<Lubcontact_NS::Vec3> pushed;    // all forces of the pressure, by local index
   std::unique_ptr<struct PoreTransforms> transforms;
   Report seen;
 
   Lubcontact_NS::Vec3 force_on_plate(const Pore_NS::Field &of_pressure,
-                                     const std::vector<Lubcontact_NS::Vec3> &gradient,
+                                     const std::vector<Pore_NS::Lanes> &gradient,
                                      const Plates &) const;
   void make_stencils(int groupbits, const Fluid &, const Plates &);
   template <class Velocity>

@@ -130,8 +130,9 @@ inline void add_moments(const Grid &grid, const Metric &m, const Vec3 &x, double
     const double w = at.y.weight[b] * at.z.weight[c], v = volume * w, s = square * w;
     const double y = at.y.offset[b], z = at.z.offset[c];
     const double vy = v * y, vz = v * z, vyy = vy * y, vzz = vz * z, vyz = vy * z;
+    Moments *row = sums + at.row[r];
     for (int a = 0; a < 3; a++) {
-      Moments &sum = sums[at.element(r, a)];
+      Moments &sum = row[at.x.index[a]];
       const double one = at.x.weight[a], first = one * at.x.offset[a];
       sum.volume += one * v;
       sum.squares += one * s;
@@ -264,29 +265,42 @@ inline Stencil make_stencil(const Grid &grid, const Metric &m, const std::vector
   for (int r = 0; r < 9; r++) {
     const double y = at.y.offset[r / 3], z = at.z.offset[r % 3];
     const double w = volume * at.y.weight[r / 3] * at.z.weight[r % 3];
+    const Element *row = elements.data() + s.row[r];
     for (int a = 0; a < 3; a++) {
-      const Element &one = elements[s.element(r, a)];
+      const Element &one = row[s.column[a]];
       s.weight[r][a] = w * at.x.weight[a] * (one.constant + dot(one.slope, {at.x.offset[a], y, z}));
     }
   }
   return s;
 }
 
-// Doubles only, to be summed over the ranks as such; four are what a vector of a processor holds.
-struct alignas(4 * sizeof(double)) Motion {
-  Vec3 velocity;    // u_e
-  double unused = 0.0;
+// Three numbers where processors have room for four.
+struct alignas(4 * sizeof(double)) Lanes : Vec3 {
+  double fourth = 0.0;
+};
+
+// a += w b
+inline void add_to(Lanes &a, double w, const Lanes &b)
+{
+  a.x += w * b.x;
+  a.y += w * b.y;
+  a.z += w * b.z;
+  a.fourth += w * b.fourth;
+}
+
+// Doubles only, to be summed over the ranks as such.
+struct Motion {
+  Lanes velocity;    // u_e
 };
 static constexpr int MOTIONS = 4;
 static_assert(sizeof(Motion) == MOTIONS * sizeof(double), "summed over ranks as an array");
 
-inline void add_motion(const Stencil &s, const Vec3 &velocity, Motion *sums)
+inline void add_motion(const Stencil &s, const Lanes &velocity, Motion *sums)
 {
-  for (int r = 0; r < 9; r++)
-    for (int a = 0; a < 3; a++) {
-      Motion &u = sums[s.element(r, a)];
-      u.velocity = u.velocity + s.weight[r][a] * velocity;
-    }
+  for (int r = 0; r < 9; r++) {
+    Motion *row = sums + s.row[r];
+    for (int a = 0; a < 3; a++) add_to(row[s.column[a]].velocity, s.weight[r][a], velocity);
+  }
 }
 
 // Added to b_e, 1/density: sum_i |W_ei|/m_i sum_e' |W_e'i| V_e'. inverse_mass is 0 if no force moves
@@ -302,12 +316,16 @@ inline void add_bound(const Stencil &s, double inverse_mass, double element_volu
 }
 
 // Force on the particle, from the gradients of the pressure at the centers of the elements.
-inline Vec3 pore_force(const Stencil &s, double element_volume, const std::vector<Vec3> &gradients)
+inline Lanes pore_force(const Stencil &s, double element_volume,
+                        const std::vector<Lanes> &gradients)
 {
-  Vec3 sum;
-  for (int r = 0; r < 9; r++)
-    for (int a = 0; a < 3; a++) sum = sum + s.weight[r][a] * gradients[s.element(r, a)];
-  return -element_volume * sum;
+  Lanes sum, force;
+  for (int r = 0; r < 9; r++) {
+    const Lanes *row = gradients.data() + s.row[r];
+    for (int a = 0; a < 3; a++) add_to(sum, s.weight[r][a], row[s.column[a]]);
+  }
+  add_to(force, -element_volume, sum);
+  return force;
 }
 
 }    // namespace LAMMPS_NS::Pore_NS

@@ -130,7 +130,7 @@ inline double dissipation(const Grid &grid, const ElementMatrix &matrix,
   Field y;
   apply_darcy(grid, matrix, mobility, p, y);
   double sum = scalar_product(p, y);
-  const std::vector<Vec3> gradient = gradients(grid, p);
+  const std::vector<Lanes> gradient = gradients(grid, p);
   for (std::size_t e = 0; e < gradient.size(); e++)
     sum +=
         grid.element_volume() * mobility[e] * dot(mean_gradient, 2.0 * gradient[e] + mean_gradient);
@@ -138,7 +138,7 @@ inline double dissipation(const Grid &grid, const ElementMatrix &matrix,
 }
 
 // of the fluid relative to the particles, per area: mean over the grid
-inline Vec3 mean_flux(const std::vector<double> &mobility, const std::vector<Vec3> &gradient)
+inline Vec3 mean_flux(const std::vector<double> &mobility, const std::vector<Lanes> &gradient)
 {
   Vec3 sum;
   for (std::size_t e = 0; e < gradient.size(); e++) sum = sum - mobility[e] * gradient[e];
@@ -161,7 +161,7 @@ inline WallFlux wall_flux(const Grid &grid, const Field &imbalance)
 // Force of the pressure that finds no particles: sum of the weights of clear elements is less than
 // 1.
 inline Vec3 clear_force(const Grid &grid, const Permeability &law,
-                        const std::vector<Element> &elements, const std::vector<Vec3> &gradient)
+                        const std::vector<Element> &elements, const std::vector<Lanes> &gradient)
 {
   Vec3 sum;
   for (std::size_t e = 0; e < gradient.size(); e++)

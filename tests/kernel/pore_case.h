@@ -138,7 +138,7 @@ struct Pores {
   std::vector<Motion> motion(const std::vector<Vec3> &v) const
   {
     std::vector<Motion> sums(grid.elements());
-    for (std::size_t i = 0; i < v.size(); i++) add_motion(stencils[i], v[i], sums.data());
+    for (std::size_t i = 0; i < v.size(); i++) add_motion(stencils[i], {v[i]}, sums.data());
     return sums;
   }
   std::vector<double> bounds(const std::vector<double> &inverse_mass) const
@@ -150,7 +150,7 @@ struct Pores {
   }
   std::vector<Vec3> forces(const Field &p, const Vec3 &mean = {}) const
   {
-    const std::vector<Vec3> g = gradients(grid, p, mean);
+    const std::vector<Lanes> g = gradients(grid, p, mean);
     std::vector<Vec3> f;
     for (const Stencil &s : stencils) f.push_back(pore_force(s, grid.element_volume(), g));
     return f;

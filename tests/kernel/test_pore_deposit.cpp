@@ -287,7 +287,7 @@ TEST(PoreDeposit, FlatSystemsHaveOneLayer)
   const std::vector<Element> elements = make_elements(g, LAW, sums);
   std::vector<Motion> motion(g.elements());
   for (const Vec3 &at : x)
-    add_motion(make_stencil(g, m, elements, at, 0.7), {1.0, 2.0, 0.0}, motion.data());
+    add_motion(make_stencil(g, m, elements, at, 0.7), {{1.0, 2.0, 0.0}}, motion.data());
   for (const Motion &one : motion) testing_tools::expect_near(one.velocity, {1.0, 2.0, 0.0}, 1e-12);
 }
 

@@ -134,7 +134,7 @@ TEST(PoreOperator, AffineMotionWithoutChangeOfVolumeHasNoDivergenceInTiltedCells
             Vec3{d.x * c.xprd / g.nx + d.y * c.xy / g.ny + d.z * c.xz / g.nz,
                  d.y * c.yprd / g.ny + d.z * c.yz / g.nz, d.z * c.zprd / g.nz};
         const Vec3 v{dot(row[0], x), dot(row[1], x), dot(row[2], x)};
-        motion[e].velocity = motion[e].velocity + pores.stencils[i].weight[r][a] * v;
+        add_to(motion[e].velocity, pores.stencils[i].weight[r][a], {v});
       });
     }
     // around the cell the velocity jumps: inner nodes only
