@@ -20,6 +20,7 @@ FixStyle(pore/pressure,FixPorePressure);
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 class FixRheometerPlates;
@@ -48,9 +49,10 @@ class FixPorePressure : public Fix {
   void restart(char *) override;
 
   // of the last step
-  double pressure_volume() const;    // its integral
-  double mean_power();               // that the particles have given to the fluid, energy/time
-  bool acts() const;                 // not with coupling off
+  double pressure_volume() const;                 // its integral
+  std::vector<double> pressure_shares() const;    // of it, by local index; clear fluid has the rest
+  double mean_power();    // that the particles have given to the fluid, energy/time
+  bool acts() const;      // not with coupling off
 
   // of the particles of now: mean pressure over -d ln V/dt that a layer opposes to its change of
   // volume; 0 without a layer, or if it does not act

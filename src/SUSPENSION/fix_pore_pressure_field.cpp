@@ -313,6 +313,19 @@ double PoreField::dissipation() const
   return elements.empty() ? 0.0 : Pore_NS::dissipation(lattice, matrix, mobility, seen.gradient, p);
 }
 
+/* ---------------------------------------------------------------------- */
+
+std::vector<double> PoreField::pressure_shares() const
+{
+  std::vector<double> shares(atom->nlocal, 0.0);
+  if (atom->nlocal != nlocal) return shares;
+  std::vector<double> integrals = element_means(lattice, p);
+  for (double &of_element : integrals)
+    of_element = lattice.element_volume() * (of_element + seen.given_mean);
+  for (const Particle &one : particles) shares[one.i] = share_of(one.stencil, integrals);
+  return shares;
+}
+
 /* ----------------------------------------------------------------------
    what advance() has used are velocities that it has predicted from the pressure before
 ------------------------------------------------------------------------- */

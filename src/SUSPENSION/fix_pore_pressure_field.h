@@ -75,6 +75,9 @@ class PoreField : protected Pointers {
   void add_forces(const Fluid &, const Plates &);
   const std::vector<Lubcontact_NS::Vec3> &forces() const { return pushed; }    // by local index
 
+  // by local index: what of the integral of the pressure each particle stands for
+  std::vector<double> pressure_shares() const;
+
   // what there is to know; valid after advance() or add_forces()
   struct Report {
     double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures

@@ -94,3 +94,10 @@ double FixPorePressure::drainage()
   if (settings->mean != PoreSettings::LAYER || !acts()) return 0.0;
   return force->nktv2p * layer_resistance();
 }
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<double> FixPorePressure::pressure_shares() const
+{
+  return field->pressure_shares();
+}
