@@ -40,6 +40,7 @@ struct PoreSettings {
   Number gradient[3];     // mean one, LAMMPS' pressure over length
   PoreField::Coupling coupling = PoreField::Coupling::IMPLICIT;
   bool iterate = false;
+  bool even = false;    // solver mean: a layer that dilates evenly, without a grid
   double tolerance = 1e-8;
   int every = 1;
 
