@@ -72,7 +72,7 @@ class FixRheometerPlates : public Fix {
   double velocity_after(int d, double force, double mass, double dt) const;
   double response(int d, double mass, double dt) const;
   // Fluid in the pores between the plates, if nobody knows its pressure in space: its mean is
-  // -drainage (force*time/area) times d ln(gap)/dt, until the next call. It acts on both plates, and
+  // -drainage (force*time/area) times d ln(gap)/dt, until the next call. It acts on both plates and
   // is included in the pressures that are put out and held.
   void drain(double drainage);
 
