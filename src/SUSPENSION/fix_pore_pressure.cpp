@@ -33,13 +33,13 @@ using Pore_NS::Wall;
 /* ---------------------------------------------------------------------- */
 
 FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), settings(new PoreSettings()), field(new PoreField(lmp)), plates(nullptr),
-    dilation(nullptr), force_of_atom(nullptr), work(0.0), made_for(-1.0), tilt{}, of_cell(0.0),
-    resistance(0.0), even_k(0.0)
+    Fix(lmp, narg, arg), settings(new PoreSettings()), plates(nullptr), dilation(nullptr),
+    force_of_atom(nullptr), work(0.0), tilt{}, of_cell(0.0), resistance(0.0), even_k(0.0)
 {
   parse(narg, arg);
   if (!settings->even && !PoreField::has_library())
     error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
+  field = std::make_unique<PoreField>(lmp);
   scalar_flag = 0;
   vector_flag = 1;
   size_vector = Output::NUM;
@@ -81,8 +81,8 @@ int FixPorePressure::setmask()
 
 struct FixPorePressure::Now {
   Pore_NS::Cell cell;
-  PoreField::Fluid fluid;
-  PoreField::Plates plates;
+  PoreSolver::Fluid fluid;
+  PoreSolver::Plates plates;
   int bits;
 };
 
@@ -128,7 +128,7 @@ FixPorePressure::Now FixPorePressure::now(double dt)
 
 void FixPorePressure::add_plates(Now &n, double dt) const
 {
-  PoreField::Plates &p = n.plates;
+  PoreSolver::Plates &p = n.plates;
   p.lower_bit = plates->plate_bit(0);
   p.upper_bit = plates->plate_bit(1);
   p.push_lower = settings->lower == Wall::IMPERMEABLE;
@@ -142,10 +142,21 @@ void FixPorePressure::add_plates(Now &n, double dt) const
     }
   MPI_Allreduce(mine, all, 3, MPI_DOUBLE, MPI_SUM, world);
   p.mass = all[2];
-  const bool moves = settings->coupling == PoreField::Coupling::IMPLICIT;
+  const bool moves = settings->coupling == PoreSolver::Coupling::IMPLICIT;
   if (moves) p.response = {plates->response(0, p.mass, dt), plates->response(1, p.mass, dt), 0.0};
   p.velocity = {moves ? plates->velocity_after(0, all[0], p.mass, dt) : plates->velocity(),
                 moves ? plates->velocity_after(1, all[1], p.mass, dt) : plates->opening(), 0.0};
+}
+
+void FixPorePressure::prepare()
+{
+  auto heights = Suspension_NS::cell_heights(domain);
+  if (plates) {
+    double bottom, top;
+    plates->measure_surfaces(bottom, top);
+    heights[1] = top - bottom;
+  }
+  size_array_rows = field->prepare(*settings, heights, mean_diameter());
 }
 
 /* ----------------------------------------------------------------------
@@ -157,7 +168,7 @@ void FixPorePressure::add_plates(Now &n, double dt) const
 void FixPorePressure::setup(int /*vflag*/)
 {
   if (settings->even) return follow_layer(true);
-  make_grid();
+  prepare();
   has_flipped();
   if (plates) plates->evaluate_targets();
   const double half = 0.5 * update->dt;
@@ -174,7 +185,7 @@ void FixPorePressure::post_force(int /*vflag*/)
   if (settings->even) return follow_layer(false);
   Now n = now(update->dt);
   n.fluid.mean = next_mean(n.fluid.storage, false);
-  if (has_flipped()) field->forget();
+  if (has_flipped()) field->flipped();
   field->deposit(n.cell, n.bits, n.fluid, n.plates);
   field->advance(update->dt, n.fluid, n.plates);
   field->add_forces(n.fluid, n.plates);
@@ -183,7 +194,7 @@ void FixPorePressure::post_force(int /*vflag*/)
 }
 
 /* ----------------------------------------------------------------------
-   since the last call: nodes are then not mapped onto nodes
+   since the last call
 ------------------------------------------------------------------------- */
 
 bool FixPorePressure::has_flipped()
@@ -258,7 +269,7 @@ double FixPorePressure::compute_vector(int n)
 {
   if (settings->even) return layer_output(n);
   if (n == Output::LOWER_FLUX || n == Output::UPPER_FLUX) measure_flow();
-  const PoreField::Report &r = field->report();
+  const PoreSolver::Report &r = field->report();
   const double unit = force->nktv2p;
   switch (n) {
     case Output::LOWER:
@@ -270,11 +281,11 @@ double FixPorePressure::compute_vector(int n)
     case Output::LARGEST:
       return r.largest * unit;
     case Output::LOWER_FLUX:
-      return r.flux.lower / field->grid().wall_area();
+      return r.flux.lower / field->wall_area();
     case Output::UPPER_FLUX:
-      return r.flux.upper / field->grid().wall_area();
+      return r.flux.upper / field->wall_area();
     case Output::DISSIPATION:
-      return (field->dissipation() / field->grid().volume() + layer_heat()) * unit;
+      return (field->dissipation() / field->volume() + layer_heat()) * unit;
     case Output::FX:
     case Output::FY:
     case Output::FZ:
@@ -314,7 +325,7 @@ void FixPorePressure::measure_flow()
 
 bool FixPorePressure::acts() const
 {
-  return settings->coupling != PoreField::Coupling::OFF;
+  return settings->coupling != PoreSolver::Coupling::OFF;
 }
 
 double FixPorePressure::memory_usage()
@@ -326,7 +337,7 @@ double FixPorePressure::memory_usage()
    a head with its seal, which says how much follows; the pressure, and its seal
 ------------------------------------------------------------------------- */
 
-static constexpr std::size_t HEAD = 12;
+static constexpr std::size_t HEAD = 1 + PoreSolver::State::HEAD + 4;
 
 static double seal_of(const double *values, std::size_t number)
 {
@@ -336,20 +347,12 @@ static double seal_of(const double *values, std::size_t number)
 void FixPorePressure::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const Pore_NS::Grid &grid = field->grid();
-  const Pore_NS::Field &p = field->pressure();
-  std::vector<double> record = {static_cast<double>(p.size()),
-                                static_cast<double>(grid.nx),
-                                static_cast<double>(grid.ny),
-                                static_cast<double>(grid.nz),
-                                static_cast<double>(grid.lower),
-                                static_cast<double>(grid.upper),
-                                static_cast<double>(field->solutions()),
-                                made_for,
-                                mean.pressure,
-                                mean.cell,
-                                mean.volume,
-                                mean.squares};
+  const PoreSolver::State state = field->state();
+  const std::vector<double> &p = state.values;
+  std::vector<double> record = {static_cast<double>(p.size())};
+  record.insert(record.end(), state.head.begin(), state.head.end());
+  for (const double value : {mean.pressure, mean.cell, mean.volume, mean.squares})
+    record.push_back(value);
   record.push_back(seal_of(record.data(), HEAD));
   record.insert(record.end(), p.begin(), p.end());
   record.push_back(seal_of(p.data(), p.size()));
@@ -366,16 +369,10 @@ void FixPorePressure::restart(char *buffer)
   if (!sealed || seal_of(p, number) != p[number])
     error->all(FLERR,
                "The part of fix pore/pressure in the restart file is damaged: use another one");
-  Pore_NS::Grid grid;
-  grid.nx = static_cast<int>(head[1]);
-  grid.ny = static_cast<int>(head[2]);
-  grid.nz = static_cast<int>(head[3]);
-  grid.lower = static_cast<Wall>(static_cast<int>(head[4]));
-  grid.upper = static_cast<Wall>(static_cast<int>(head[5]));
-  mean = {head[8], head[9], head[10], head[11]};
-  if (grid.lower != settings->lower || grid.upper != settings->upper) return;
-  if (head[6] == 0.0) return;
-  made_for = head[7];
-  field->set_grid(grid);
-  if (number == grid.nodes()) field->take_pressure({p, p + number}, static_cast<int>(head[6]));
+  PoreSolver::State state;
+  std::copy_n(head + 1, PoreSolver::State::HEAD, state.head.begin());
+  state.values.assign(p, p + number);
+  const double *rest = head + 1 + PoreSolver::State::HEAD;
+  mean = {rest[0], rest[1], rest[2], rest[3]};
+  field->restore(state, *settings);
 }

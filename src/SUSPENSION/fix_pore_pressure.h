@@ -24,7 +24,7 @@ FixStyle(pore/pressure,FixPorePressure);
 
 namespace LAMMPS_NS {
 class FixRheometerPlates;
-class PoreField;
+class PoreSolver;
 
 // Pressure of the fluid between the particles, which must flow when they dilate or settle: Darcy's
 // law on a grid, and its forces on particles and plates.
@@ -70,12 +70,11 @@ class FixPorePressure : public Fix {
 
  private:
   std::unique_ptr<struct PoreSettings> settings;
-  std::unique_ptr<PoreField> field;
+  std::unique_ptr<PoreSolver> field;
   FixRheometerPlates *plates;
   const double *dilation;    // d ln V/dt of fix deform/rheometer, or null
   double **force_of_atom;    // for output, force
   double work;               // of the last step on the particles of this rank, energy/time
-  double made_for;           // spacing asked for when the grid was made; -1: there is none
   double tilt[3];            // of the last step: xy, xz, yz
 
   // of a periodic cell; numbers only: a restart file holds it
@@ -93,7 +92,7 @@ class FixPorePressure : public Fix {
   void check_others() const;
   void check_plates() const;
   double mean_diameter() const;
-  void make_grid();
+  void prepare();
   struct Now;
   Now now(double);
   void add_plates(Now &, double) const;

@@ -49,7 +49,10 @@ const char *const PoreField::NO_LIBRARY =
 
 /* ---------------------------------------------------------------------- */
 
-PoreField::PoreField(LAMMPS *lmp) : Pointers(lmp), age(0), nlocal(-1), measured(false) {}
+PoreField::PoreField(LAMMPS *lmp) :
+    PoreSolver(lmp), age(0), made_for(-1.0), nlocal(-1), measured(false)
+{
+}
 
 PoreField::~PoreField() = default;
 
@@ -77,12 +80,6 @@ void PoreField::set_grid(const Pore_NS::Grid &grid)
     p.assign(grid.nodes(), 0.0);
     age = 0;
   }
-}
-
-void PoreField::take_pressure(const std::vector<double> &values, int solutions)
-{
-  p = values;
-  age = solutions;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -336,8 +333,9 @@ void PoreField::measure_flow(const Vec3 &upper_plate)
   measured = true;
   of_deposit.velocity = upper_plate;
   sum_motion(p, 0.0, true, of_deposit, motion, wall);
-  seen.flux =
+  const Pore_NS::WallFlux flux =
       wall_flux(lattice, imbalance(lattice, matrix, mobility, motion, wall, seen.gradient, p));
+  seen.flux = {flux.lower, flux.upper};
 }
 
 /* ---------------------------------------------------------------------- */

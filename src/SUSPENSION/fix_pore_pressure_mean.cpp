@@ -235,8 +235,7 @@ double FixPorePressure::layer_profile(int j) const
 
 double FixPorePressure::pressure_volume() const
 {
-  return settings->even ? mean_of_layer() * volume()
-                        : field->report().mean * field->grid().volume();
+  return settings->even ? mean_of_layer() * volume() : field->report().mean * field->volume();
 }
 
 std::vector<double> FixPorePressure::pressure_shares() const
