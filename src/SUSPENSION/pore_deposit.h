@@ -31,7 +31,6 @@
 
 namespace LAMMPS_NS::Pore_NS {
 
-static constexpr int REACH = 27;        // elements of a particle
 static constexpr double FLAT = 0.01;    // least variance that the bracket uses, in spacings^2
 
 // ---- the spline
