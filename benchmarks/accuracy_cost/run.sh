@@ -8,3 +8,4 @@ cd "$(dirname "$0")"
 ../../tools/python.sh suspension_laws.py table
 ../../tools/python.sh promise.py
 ../../tools/python.sh pairs.py
+../../tools/python.sh pore.py
