@@ -68,6 +68,7 @@ CASES = [    # lines in place of the fix, message, underlined word or None, boun
     (F + " gradient 0 v_word 0", "Variable word for fix pore/pressure gradient is not equal-style", None),
     (F + " coupling loose", "coupling must be one of implicit explicit off, but is loose", "loose"),
     (F + " tolerance 0", "tolerance must be > 0, but is 0", "0"),
+    (F + " every 0", "every must be > 0, but is 0", "0"),
     (STYLE + " pair\npair_style zero 2\npair_coeff * *", "give the viscosity instead of pair", None),
     (STYLE + " pair\npair_style lubcontact v_eta cut 0.5\npair_coeff * * 1 1", "give the viscosity instead of pair", None),
     (F + " cell\nrun_style respa 2 2 pair 1", "does not work with run_style respa", None),
