@@ -34,7 +34,8 @@ using Pore_NS::Wall;
 
 FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new PoreSettings()), plates(nullptr), dilation(nullptr),
-    force_of_atom(nullptr), work(0.0), tilt{}, of_cell(0.0), resistance(0.0), even_k(0.0)
+    force_of_atom(nullptr), work(0.0), tilt{}, evaluated(false), of_cell(0.0), resistance(0.0),
+    even_k(0.0)
 {
   parse(narg, arg);
   if (!settings->even && !PoreField::has_library())

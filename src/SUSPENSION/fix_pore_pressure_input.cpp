@@ -55,6 +55,7 @@ void FixPorePressure::parse(int narg, char **arg)
 {
   require_words(FLERR, error, "fix pore/pressure", narg + 1,
                 "fix ID group pore/pressure eta|pair ...");
+  words = utils::join_words(std::vector<std::string>(arg + 3, arg + narg), " ");
   settings->viscosity_of_pair = strcmp(arg[3], "pair") == 0;
   if (!settings->viscosity_of_pair) settings->viscosity = InputNumber(lmp, arg[3]);
   if (!settings->viscosity_of_pair && settings->viscosity.is_number() &&
@@ -107,6 +108,27 @@ void FixPorePressure::parse(int narg, char **arg)
         FLERR, given["solver"],
         "Fix pore/pressure solver mean has nothing to do in a cell that is drained: add mean "
         "layer H, or mean undrained with a storage");
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string FixPorePressure::settings_text() const
+{
+  std::string text;
+  for (const std::string &word : utils::split_words(words)) {
+    if (!text.empty()) text += " ";
+    const auto numbers = settings->numbers();
+    const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto *number) {
+      return !number->is_number() && "v_" + number->variable == word;
+    });
+    if (found != numbers.end() && !evaluated)
+      error->all(FLERR,
+                 "Suspension_scene measure cannot copy fix {}: variable {} has no value before the "
+                 "first run; add run 0",
+                 id, (*found)->variable);
+    text += found == numbers.end() ? word : fmt::format("{}", (*found)->value);
+  }
+  return text;
 }
 
 /* ----------------------------------------------------------------------
