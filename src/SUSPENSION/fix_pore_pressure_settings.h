@@ -40,7 +40,7 @@ struct PoreSettings {
   bool iterate = false;
   bool even = false;    // solver mean: a layer that dilates evenly, without a grid
   double tolerance = 1e-8;
-  int every = 1;
+  int every = 20;    // steps that particles keep their weights
 
   std::vector<Number *> numbers()
   {

@@ -74,8 +74,10 @@ class PoreSolver : protected Pointers {
   virtual bool has_pressure() const = 0;
   virtual void flipped() = 0;    // the tilt of the cell, since the last step
 
-  // the particles of this step with these bits, in this cell; the pressure stays
-  virtual void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &) = 0;
+  // the particles of this step with these bits, in this cell; the pressure stays. Unless anew, what
+  // hardly changes may be that of the last time
+  virtual void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &,
+                       bool anew) = 0;
   // pressure at the end of the step of length dt, in which the other forces act
   virtual void advance(double dt, const Fluid &, const Plates &) = 0;
   // of the pressure, on the particles as they were deposited: added to their forces
