@@ -82,6 +82,7 @@ class FixPorePressure : public Fix {
   double work;               // of the last step on the particles of this rank, energy/time
   double tilt[3];            // of the last step: xy, xz, yz
   bool evaluated;            // the variables
+  bool warned;
 
   // of a periodic cell; numbers only: a restart file holds it
   struct MeanState {
@@ -102,6 +103,7 @@ class FixPorePressure : public Fix {
   struct Now;
   Now now(double);
   void add_plates(Now &, double) const;
+  void warn_of_lag();
   bool has_flipped();
   double evaluate();    // variables; the viscosity
   double layer_resistance();

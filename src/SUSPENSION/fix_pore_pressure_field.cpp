@@ -261,6 +261,29 @@ void PoreField::solve_constant([[maybe_unused]] const Field &r, [[maybe_unused]]
 #endif
 }
 
+/* ----------------------------------------------------------------------
+   Does what is given change by more than a hundredth of the pressure? The answer must be whole at
+   once, as that to the first velocities. A load that jumps has the inertia of its plate.
+------------------------------------------------------------------------- */
+
+bool PoreField::jumps(const Fluid &fluid) const
+{
+  static constexpr double JUMP = 0.01;
+  if (age == 0) return false;
+  double change = 0.0, scale = 0.0;
+  for (const double value : p) scale = MAX(scale, fabs(value));
+  if (lattice.lower == Pore_NS::Wall::DRAINED) change = fabs(fluid.lower - p.front());
+  if (lattice.upper == Pore_NS::Wall::DRAINED) change = MAX(change, fabs(fluid.upper - p.back()));
+  scale = MAX(scale, MAX(fabs(fluid.lower), fabs(fluid.upper)));
+  if (given_gradient) {
+    const Pore_NS::Cell &cell = lattice.cell;
+    const double edge = MAX(cell.xprd, MAX(cell.yprd, cell.zprd));
+    change = MAX(change, edge * norm(fluid.gradient - *given_gradient));
+    scale = MAX(scale, edge * norm(fluid.gradient));
+  }
+  return change > JUMP * scale;
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
@@ -269,6 +292,8 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
   const double step = moves ? dt : 0.0;
   const double storage = Pore_NS::node_storage(lattice, fluid.storage, dt);
   if (age == 0) p.assign(lattice.nodes(), 0.0);
+  if (jumps(fluid)) age = MIN(age, 1);
+  given_gradient = fluid.gradient;
   set_fixed(lattice, fluid.lower, fluid.upper, p);
 
   predict_motion(step, fluid, plates);
@@ -286,6 +311,7 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
   }
   const double c =
       Pore_NS::largest(Pore_NS::implicit_mobilities(mobility, bound, step)) + step * of_plate;
+  seen.plate_lag = c / (c - step * of_plate);
   const double s = storage + of_mean;
   Field change;
   seen.convergence = {};

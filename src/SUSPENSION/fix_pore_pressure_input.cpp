@@ -12,6 +12,7 @@
 #include "fix_pore_pressure.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_pore_pressure_settings.h"
@@ -90,7 +91,7 @@ void FixPorePressure::parse(int narg, char **arg)
         "Fix pore/pressure mean undrained needs a fluid that can be compressed; add: storage "
         "S");
   if (!settings->even) return;
-  for (const char *key : {"spacing", "grid", "tolerance", "pressure", "gradient"})
+  for (const char *key : {"spacing", "grid", "tolerance", "pressure", "gradient", "every"})
     if (given.count(key))
       error->all(FLERR, given[key],
                  "Fix pore/pressure solver mean has no pressure in space: {} cannot act; remove it",
@@ -279,6 +280,25 @@ void FixPorePressure::check_plates() const
                "once, which the servo of fix {} cannot follow: use load instead of pressure there, "
                "or upper drained",
                settings->plates);
+}
+
+/* ----------------------------------------------------------------------
+   P of one solution a step bounds how fast the pressure moves the plate, and the more the lighter it
+   is: the pressure then is late, and the plate bounces on it
+------------------------------------------------------------------------- */
+
+void FixPorePressure::warn_of_lag()
+{
+  static constexpr double LAG = 2.0;
+  const double lag = field->report().plate_lag;
+  if (warned || settings->iterate || lag < LAG) return;
+  warned = true;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "Fix pore/pressure: the impermeable upper plate is so light that solver grid "
+                   "lets the pressure lag by about {:.3g} steps, and the plate bounces on it: use "
+                   "solver cg, or increase the mass in fix {}",
+                   lag, settings->plates);
 }
 
 /* ----------------------------------------------------------------------
