@@ -124,17 +124,18 @@ void PoreField::make_stencils(int groupbits, const Fluid &fluid, const Plates &p
     const double *x = atom->x[i];
     return Vec3{x[0], x[1], flat ? 0.0 : x[2]};
   };
-  auto inside = [this](int i) {    // volume of the part that is in the fluid
-    const double r = atom->radius[i];
-    return Suspension_NS::particle_volume(domain, r) *
-        Pore_NS::part_inside(lattice, atom->x[i][1], r);
+  auto part = [this](int i) {    // that is in the fluid
+    return Pore_NS::part_inside(lattice, atom->x[i][1], atom->radius[i]);
+  };
+  auto inside = [this, &part](int i) {    // its volume
+    return part(i) * Suspension_NS::particle_volume(domain, atom->radius[i]);
   };
 
   std::vector<Moments> mine(lattice.elements()), sums(lattice.elements());
   for (int i = 0; i < nlocal; i++)
     if (atom->mask[i] & groupbits) {
       const double r = atom->radius[i];
-      add_moments(lattice, m, place(i), inside(i), r * r, mine.data());
+      add_moments(lattice, m, place(i), inside(i), part(i) * r * r, mine.data());
     }
   MPI_Allreduce(mine.data(), sums.data(), static_cast<int>(sums.size()) * Pore_NS::MOMENTS,
                 MPI_DOUBLE, MPI_SUM, world);
