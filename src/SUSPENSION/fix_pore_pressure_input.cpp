@@ -283,8 +283,8 @@ void FixPorePressure::check_plates() const
 }
 
 /* ----------------------------------------------------------------------
-   P of one solution a step bounds how fast the pressure moves the plate, and the more the lighter it
-   is: the pressure then is late, and the plate bounces on it
+   P of one solution a step bounds how fast the pressure moves the plate, and the more the lighter
+   it is: the pressure then is late, and the plate bounces on it
 ------------------------------------------------------------------------- */
 
 void FixPorePressure::warn_of_lag()
