@@ -74,8 +74,12 @@ TEST(PoreLayer, FluidThatEntersIsWhatTheGapGains)
       if (outlets(lower, upper) == 0) continue;
       const double out = layer_flux(lower, upper, GAP, RATE) + layer_flux(upper, lower, GAP, RATE);
       EXPECT_NEAR(out, -RATE * GAP, 1e-14);
-      if (lower == upper) EXPECT_EQ(layer_flux(lower, upper, GAP, RATE), 0.5 * out);
-      if (lower == Wall::IMPERMEABLE) EXPECT_EQ(layer_flux(lower, upper, GAP, RATE), 0.0);
+      if (lower == upper) {
+        EXPECT_EQ(layer_flux(lower, upper, GAP, RATE), 0.5 * out);
+      }
+      if (lower == Wall::IMPERMEABLE) {
+        EXPECT_EQ(layer_flux(lower, upper, GAP, RATE), 0.0);
+      }
     }
 }
 
