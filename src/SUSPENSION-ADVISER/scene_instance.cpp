@@ -19,6 +19,7 @@
 #include "fix_drag_background.h"
 #include "fix_nve_sphere.h"
 #include "fix_overdamped_sphere.h"
+#include "fix_pore_pressure.h"
 #include "force.h"
 #include "group.h"
 #include "input.h"
@@ -95,8 +96,12 @@ static bool copy_part(LAMMPS *lmp, Fix *fix, SceneInstance::Parts &parts)
                                                             : nullptr;
   auto *deform = dynamic_cast<FixDeform *>(fix);
   const auto *rheometer = dynamic_cast<FixDeformRheometer *>(fix);
+  const auto *pores = dynamic_cast<FixPorePressure *>(fix);
   const BackgroundFluid *fluid = SceneInstance::background_of(fix);
-  if (fluid) {
+  if (pores) {
+    settings = pores->settings_text();
+    parts.pores = fix;
+  } else if (fluid) {
     settings = fluid->settings_text();
     parts.drags.push_back(fix);
     if (utils::strmatch(fix->style, "^overdamped")) parts.overdamped = true;
@@ -175,7 +180,7 @@ SceneInstance::Parts SceneInstance::parts_of(LAMMPS *lmp)
 /* ---------------------------------------------------------------------- */
 
 SceneInstance::SceneInstance(LAMMPS *from, const Parts &parts, const Lubcontact_NS::Law &law,
-                             bool drag) :
+                             const Fluids &fluids) :
     lmp(nullptr),
     history_kept(true), original(from)
 {
@@ -192,7 +197,7 @@ SceneInstance::SceneInstance(LAMMPS *from, const Parts &parts, const Lubcontact_
     copy_neighbor_style();
     copy_atoms();
     adopt_law(law);
-    copy_fixes(parts, drag);
+    copy_fixes(parts, fluids);
     lmp->init();
     copy_history(parts.pair, law);
     migrate();

@@ -40,7 +40,11 @@ class SceneInstance {
     };
     std::vector<Part> fixes;     // in their order
     std::vector<Fix *> drags;    // among them
+    Fix *pores = nullptr;        // fix pore/pressure, among them
     bool overdamped = false;     // and the drag moves the particles
+  };
+  struct Fluids {    // that a copy has
+    bool drag = true, pores = true;
   };
   static constexpr const char *CURE = "suspension_scene without measure works; or "
                                       "compare two runs of your own, with the effect and without";
@@ -48,7 +52,7 @@ class SceneInstance {
   static double deform_rate(LAMMPS *);
   static const BackgroundFluid *background_of(const Fix *);    // null: it has none
 
-  SceneInstance(LAMMPS *, const Parts &, const Lubcontact_NS::Law &, bool drag);
+  SceneInstance(LAMMPS *, const Parts &, const Lubcontact_NS::Law &, const Fluids &);
   ~SceneInstance();
   SceneInstance(const SceneInstance &) = delete;
   SceneInstance &operator=(const SceneInstance &) = delete;
@@ -65,7 +69,7 @@ class SceneInstance {
   void copy_neighbor_style() const;
   void copy_atoms() const;
   void adopt_law(const Lubcontact_NS::Law &) const;
-  void copy_fixes(const Parts &, bool drag) const;
+  void copy_fixes(const Parts &, const Fluids &) const;
   void copy_state(Fix *) const;
   void copy_history(const PairLubcontact *, const Lubcontact_NS::Law &);
   void migrate() const;

@@ -99,15 +99,15 @@ void SceneInstance::adopt_law(const Lubcontact_NS::Law &law) const
 
 /* ---------------------------------------------------------------------- */
 
-void SceneInstance::copy_fixes(const Parts &parts, bool with_drag) const
+void SceneInstance::copy_fixes(const Parts &parts, const Fluids &fluids) const
 {
   for (const Parts::Part &part : parts.fixes) {
     Fix *fix = part.fix;
-    const bool drag = background_of(fix) != nullptr;
-    if (drag && !with_drag) continue;
+    const bool drag = background_of(fix) != nullptr, pores = fix == parts.pores;
+    if ((drag && !fluids.drag) || (pores && !fluids.pores)) continue;
     one(fmt::format("fix {} {} {} {}", fix->id, original->group->names[fix->igroup], fix->style,
                     part.settings));
-    if (drag || dynamic_cast<FixDeformRheometer *>(fix)) copy_state(fix);
+    if (drag || pores || dynamic_cast<FixDeformRheometer *>(fix)) copy_state(fix);
   }
 }
 

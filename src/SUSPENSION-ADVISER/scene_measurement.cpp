@@ -16,6 +16,7 @@
 #include "error.h"
 #include "exceptions.h"
 #include "fix_deform_rheometer.h"
+#include "fix_pore_pressure.h"
 #include "group.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
@@ -23,19 +24,16 @@
 #include "scene_sampler.h"
 #include "scene_words.h"
 #include "suspension_host.h"
-#include "suspension_input.h"
 #include "timer.h"
 #include "update.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using Scene_NS::UNKNOWN;
 
-static constexpr int BLOCKS = 10;    // of a run; the second half counts
 static constexpr int COUNTED = 5;
 static constexpr char COLUMNS[] = "  {:<14} {:>9} {:>9} {:>18} {:>18} {:>10}\n";
 
@@ -50,17 +48,16 @@ static constexpr Cure CURES[] = {
     {Lubcontact_NS::ADHESION, "give the pull-off force with 'adhesion F'"},
     {Lubcontact_NS::REPULSION, "give its force and length with 'repulsion F lambda'"}};
 
-// One line of the table; of the drag, which is not of the pair law, the bit is 0. Where it shows:
-// rows of compute stress/partition and of compute power/partition, or -1.
+// One line of the table; of the fluids beside the films, which are not of the pair law, the bit is
+// 0. Where it shows: rows of compute stress/partition and of compute power/partition, or -1.
 struct SceneMeasurement::Row {
   unsigned bit = 0;
-  const char *name = "drag";
-  int stress = -1, power = Lubcontact_NS::NUM_ORIGINS;    // behind those of the pair law
-  const char *cure = "add fix drag/background to the script";
+  const char *name;
+  int stress = -1, power = -1;
+  const char *cure = "give its coefficients with pair_coeff";
+  bool SceneInstance::Fluids::*fluid = nullptr;
 
-  Row() = default;
-  explicit Row(const Lubcontact_NS::EffectRow &effect) :
-      bit(effect.bit), name(effect.name), power(-1), cure("give its coefficients with pair_coeff")
+  explicit Row(const Lubcontact_NS::EffectRow &effect) : bit(effect.bit), name(effect.name)
   {
     if (effect.channel < Lubcontact_NS::NUM_CHANNELS)
       stress = Lubcontact_NS::stress_row(effect.channel);
@@ -68,16 +65,19 @@ struct SceneMeasurement::Row {
     for (const Cure &one : CURES)
       if (one.bit == bit) cure = one.text;
   }
-  bool acts_in(const Case &all, bool with_drag) const
+  Row(const char *fluid_name, bool SceneInstance::Fluids::*which, int power_row,
+      const char *where) :
+      name(fluid_name),
+      power(power_row), cure(where), fluid(which)
   {
-    return bit ? uses(all.law, bit) : with_drag;
   }
+  bool acts_in(const Case &all) const { return fluid ? all.fluids.*fluid : uses(all.law, bit); }
   Case removed_from(Case all) const
   {
-    if (bit)
-      all.law = without(all.law, bit);
+    if (fluid)
+      all.fluids.*fluid = false;
     else
-      all.drag = false;
+      all.law = without(all.law, bit);
     return all;
   }
 };
@@ -90,14 +90,6 @@ struct SceneMeasurement::Measured {
   double seconds = 0.0;                // of CPU a step
   double strain = 0.0;
   bool history_kept = true;
-};
-
-// what the script asks for
-struct SceneMeasurement::Options {
-  int nsteps = 0;
-  double limit = 0.02;
-  Scene_NS::SurfaceLaws laws;                  // that the deck need not have
-  int critical_word = 0, adhesion_word = 0;    // where they are, 0: nowhere
 };
 
 namespace {
@@ -167,7 +159,7 @@ double share(const std::vector<double> &parts, int row)
 SceneMeasurement::Measured SceneMeasurement::run_copy(const Parts &parts, int nsteps,
                                                       const Case &one) const
 {
-  const SceneInstance copy(lmp, parts, one.law, one.drag);
+  const SceneInstance copy(lmp, parts, one.law, one.fluids);
   const int block = nsteps / BLOCKS, every = MIN(block, 10);
   const bigint start = copy.lmp->update->ntimestep;
   SceneSampler sampler(copy, parts.flow, every);
@@ -210,10 +202,15 @@ std::string SceneMeasurement::deck_lines(const Parts &parts, const Case &one) co
 {
   std::string text =
       Scene_NS::style_line(one.law, parts.pair->viscosity_word()) + Scene_NS::coeff_lines(one.law);
+  auto show = [&](const Fix *fix, bool is_there, const std::string &typed) {
+    text += is_there
+        ? fmt::format("  fix {} {} {} {}\n", fix->id, group->names[fix->igroup], fix->style, typed)
+        : fmt::format("  # and no fix {}\n", fix->id);
+  };
   for (const Fix *fix : parts.drags)
-    text += one.drag ? fmt::format("  fix {} {} {} {}\n", fix->id, group->names[fix->igroup],
-                                   fix->style, SceneInstance::background_of(fix)->typed())
-                     : fmt::format("  # and no fix {}\n", fix->id);
+    show(fix, one.fluids.drag, SceneInstance::background_of(fix)->typed());
+  if (parts.pores)
+    show(parts.pores, one.fluids.pores, dynamic_cast<FixPorePressure *>(parts.pores)->typed());
   return text;
 }
 
@@ -235,77 +232,6 @@ std::string SceneMeasurement::advice(int narg, char **arg)
     error->all(FLERR, "Suspension_scene measure, in its copy: {}", utils::trim(e.what()));
   }
   return text;
-}
-
-/* ---------------------------------------------------------------------- */
-
-SceneMeasurement::Options SceneMeasurement::parse(int narg, char **arg) const
-{
-  Suspension_NS::require_words(FLERR, error, "suspension_scene", narg, "measure N ...");
-  Options options;
-  if (!utils::is_integer(arg[1]))
-    error->all(FLERR, 1, "Suspension_scene measure needs a number of steps before keywords, not {}",
-               arg[1]);
-  options.nsteps = utils::inumeric(FLERR, arg[1], false, lmp);
-  if (options.nsteps < BLOCKS || options.nsteps % BLOCKS)
-    error->all(FLERR, 1,
-               "Suspension_scene measure takes a number of steps that is a multiple of {}, but not "
-               "{}",
-               BLOCKS, arg[1]);
-  Scene_NS::SurfaceLaws &laws = options.laws;
-  const struct {
-    const char *name, *usage;
-    std::vector<double *> values;
-  } keywords[] = {{"change", "change f", {&options.limit}},
-                  {"friction", "friction mu", {&laws.friction}},
-                  {"critical", "critical F", {&laws.critical}},
-                  {"adhesion", "adhesion F", {&laws.pull_off}},
-                  {"repulsion", "repulsion F0 lambda", {&laws.repulsion, &laws.screening}}};
-  int places[std::size(keywords)] = {};
-  for (int iarg = 2; iarg < narg;) {
-    const auto *found = std::find_if(std::begin(keywords), std::end(keywords), [&](const auto &k) {
-      return strcmp(arg[iarg], k.name) == 0;
-    });
-    if (found == std::end(keywords))
-      error->all(FLERR, iarg,
-                 "Unknown suspension_scene measure keyword: {}; those that exist: change, "
-                 "friction, critical, adhesion, repulsion",
-                 arg[iarg]);
-    places[found - keywords] = iarg;
-    const int count = static_cast<int>(found->values.size());
-    Suspension_NS::require_words(FLERR, error, "suspension_scene measure", narg - iarg,
-                                 found->usage);
-    for (int n = 1; n <= count; n++) {
-      const double value = utils::numeric(FLERR, arg[iarg + n], false, lmp);
-      if (!(value > 0.0))
-        error->all(FLERR, iarg + n, "Suspension_scene measure {} must be > 0, but is {}", arg[iarg],
-                   arg[iarg + n]);
-      *found->values[n - 1] = value;
-    }
-    iarg += 1 + count;
-  }
-  options.critical_word = places[2];
-  options.adhesion_word = places[3];
-  return options;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void SceneMeasurement::check_laws(const Options &options, const Lubcontact_NS::Law &law) const
-{
-  if (options.critical_word && std::isnan(options.laws.friction) &&
-      !uses(law, Lubcontact_NS::FRICTION))
-    error->all(FLERR, options.critical_word,
-               "Suspension_scene measure critical cannot act without friction: give friction mu, "
-               "too");
-  if (!options.adhesion_word) return;
-  Scene_NS::each_pair(law, [&](int i, int j, const Lubcontact_NS::TypeCoeffs &c) {
-    if (c.roughness_a == 0.0)
-      error->all(FLERR, options.adhesion_word,
-                 "Suspension_scene measure adhesion acts between asperities, but types {} {} have "
-                 "none: give them a roughness > 0",
-                 i, j);
-  });
 }
 
 /* ----------------------------------------------------------------------
@@ -339,8 +265,9 @@ std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Option
 {
   const int nsteps = options.nsteps;
   const double a = Suspension_NS::measure_particles(lmp).mean;
-  const Case deck{parts.pair->law()};
-  const Case everything{Scene_NS::switched_on(deck.law, options.laws, a)};
+  const SceneInstance::Fluids fluids{!parts.drags.empty(), parts.pores != nullptr};
+  const Case deck{parts.pair->law(), fluids};
+  const Case everything{Scene_NS::switched_on(deck.law, options.laws, a), fluids};
   const bool as_deck = Scene_NS::same_law(everything.law, deck.law);
   const Measured all = run_copy(parts, nsteps, everything);
   std::string text = head_of(parts, all, nsteps, as_deck);
@@ -349,18 +276,22 @@ std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Option
   if (!as_deck) text += compared.row("as the deck is", run_copy(parts, nsteps, deck));
 
   std::vector<Row> rows(std::begin(Lubcontact_NS::EFFECTS), std::end(Lubcontact_NS::EFFECTS));
-  rows.emplace_back();
+  // in compute power/partition behind those of the pair law, with the kinetic energy between them
+  rows.emplace_back("drag", &SceneInstance::Fluids::drag, Lubcontact_NS::NUM_ORIGINS,
+                    "add fix drag/background to the script");
+  rows.emplace_back("pores", &SceneInstance::Fluids::pores, Lubcontact_NS::NUM_ORIGINS + 2,
+                    "add fix pore/pressure to the script");
   Case less = everything;    // without all that are idle
   int idle = 0;
   std::string undecided, missing;
   for (const Row &effect : rows) {
-    if (!effect.acts_in(everything, !parts.drags.empty())) {
+    if (!effect.acts_in(everything)) {
       missing += fmt::format("  {}: not measured; {}\n", effect.name, effect.cure);
       continue;
     }
     const std::string of_stress = percent(share(all.parts, effect.stress));
     const std::string of_power = percent(share(all.power, effect.power));
-    if (!effect.bit && parts.overdamped) {
+    if (effect.fluid == &SceneInstance::Fluids::drag && parts.overdamped) {
       text += fmt::format(COLUMNS, effect.name, of_stress, of_power, "-", "-", "-");
       missing += "  drag: cannot be left out where it moves the particles\n";
       continue;

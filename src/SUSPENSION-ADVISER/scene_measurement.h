@@ -13,6 +13,7 @@
 #include "lubcontact_law.h"
 #include "pointers.h"
 #include "scene_instance.h"
+#include "scene_laws.h"
 
 #include <string>
 
@@ -28,10 +29,16 @@ class SceneMeasurement : protected Pointers {
   using Parts = SceneInstance::Parts;
   struct Case {    // what acts in a copy
     Lubcontact_NS::Law law;
-    bool drag = true;
+    SceneInstance::Fluids fluids;
   };
+  struct Options {    // what the script asks for
+    int nsteps = 0;
+    double limit = 0.02;
+    Scene_NS::SurfaceLaws laws;                  // that the deck need not have
+    int critical_word = 0, adhesion_word = 0;    // where they are, 0: nowhere
+  };
+  static constexpr int BLOCKS = 10;    // of a run; the second half counts
   struct Measured;
-  struct Options;
   struct Row;
   struct Comparison;
 

@@ -35,7 +35,8 @@ using Pore_NS::Wall;
 
 FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new PoreSettings()), plates(nullptr), dilation(nullptr),
-    force_of_atom(nullptr), work(0.0), tilt{}, of_cell(0.0), resistance(0.0), even_k(0.0)
+    force_of_atom(nullptr), work(0.0), tilt{}, evaluated(false), warned(false), of_cell(0.0),
+    resistance(0.0), even_k(0.0)
 {
   parse(narg, arg);
   if (!settings->even && !PoreField::has_library())
@@ -195,6 +196,7 @@ void FixPorePressure::post_force(int /*vflag*/)
   field->deposit(n.cell, n.bits, n.fluid, n.plates, neighbor->ago % settings->every == 0);
   field->advance(update->dt, n.fluid, n.plates);
   field->add_forces(n.fluid, n.plates);
+  warn_of_lag();
   measure_work();
   keep_forces();
 }

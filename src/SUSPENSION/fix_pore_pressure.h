@@ -59,6 +59,10 @@ class FixPorePressure : public Fix {
   // volume; 0 without a layer, or if it does not act
   double drainage();
 
+  // for suspension_scene: the arguments, as typed or with the present values of variables
+  const std::string &typed() const { return words; }
+  std::string settings_text() const;
+
   // f_ID[1] and so on: see the manual
   // clang-format off
   struct Output {
@@ -69,6 +73,7 @@ class FixPorePressure : public Fix {
   // clang-format on
 
  private:
+  std::string words;    // the arguments
   std::unique_ptr<struct PoreSettings> settings;
   std::unique_ptr<PoreSolver> field;
   FixRheometerPlates *plates;
@@ -76,6 +81,8 @@ class FixPorePressure : public Fix {
   double **force_of_atom;    // for output, force
   double work;               // of the last step on the particles of this rank, energy/time
   double tilt[3];            // of the last step: xy, xz, yz
+  bool evaluated;            // the variables
+  bool warned;
 
   // of a periodic cell; numbers only: a restart file holds it
   struct MeanState {
@@ -96,6 +103,7 @@ class FixPorePressure : public Fix {
   struct Now;
   Now now(double);
   void add_plates(Now &, double) const;
+  void warn_of_lag();
   bool has_flipped();
   double evaluate();    // variables; the viscosity
   double layer_resistance();

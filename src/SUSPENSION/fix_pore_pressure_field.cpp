@@ -124,17 +124,18 @@ void PoreField::make_stencils(int groupbits, const Fluid &fluid, const Plates &p
     const double *x = atom->x[i];
     return Vec3{x[0], x[1], flat ? 0.0 : x[2]};
   };
-  auto inside = [this](int i) {    // volume of the part that is in the fluid
-    const double r = atom->radius[i];
-    return Suspension_NS::particle_volume(domain, r) *
-        Pore_NS::part_inside(lattice, atom->x[i][1], r);
+  auto part = [this](int i) {    // that is in the fluid
+    return Pore_NS::part_inside(lattice, atom->x[i][1], atom->radius[i]);
+  };
+  auto inside = [this, &part](int i) {    // its volume
+    return part(i) * Suspension_NS::particle_volume(domain, atom->radius[i]);
   };
 
   std::vector<Moments> mine(lattice.elements()), sums(lattice.elements());
   for (int i = 0; i < nlocal; i++)
     if (atom->mask[i] & groupbits) {
       const double r = atom->radius[i];
-      add_moments(lattice, m, place(i), inside(i), r * r, mine.data());
+      add_moments(lattice, m, place(i), inside(i), part(i) * r * r, mine.data());
     }
   MPI_Allreduce(mine.data(), sums.data(), static_cast<int>(sums.size()) * Pore_NS::MOMENTS,
                 MPI_DOUBLE, MPI_SUM, world);
@@ -261,6 +262,29 @@ void PoreField::solve_constant([[maybe_unused]] const Field &r, [[maybe_unused]]
 #endif
 }
 
+/* ----------------------------------------------------------------------
+   Does what is given change by more than a hundredth of the pressure? The answer must be whole at
+   once, as that to the first velocities. A load that jumps has the inertia of its plate.
+------------------------------------------------------------------------- */
+
+bool PoreField::jumps(const Fluid &fluid) const
+{
+  static constexpr double JUMP = 0.01;
+  if (age == 0) return false;
+  double change = 0.0, scale = 0.0;
+  for (const double value : p) scale = MAX(scale, fabs(value));
+  if (lattice.lower == Pore_NS::Wall::DRAINED) change = fabs(fluid.lower - p.front());
+  if (lattice.upper == Pore_NS::Wall::DRAINED) change = MAX(change, fabs(fluid.upper - p.back()));
+  scale = MAX(scale, MAX(fabs(fluid.lower), fabs(fluid.upper)));
+  if (given_gradient) {
+    const Pore_NS::Cell &cell = lattice.cell;
+    const double edge = MAX(cell.xprd, MAX(cell.yprd, cell.zprd));
+    change = MAX(change, edge * norm(fluid.gradient - *given_gradient));
+    scale = MAX(scale, edge * norm(fluid.gradient));
+  }
+  return change > JUMP * scale;
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
@@ -269,6 +293,8 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
   const double step = moves ? dt : 0.0;
   const double storage = Pore_NS::node_storage(lattice, fluid.storage, dt);
   if (age == 0) p.assign(lattice.nodes(), 0.0);
+  if (jumps(fluid)) age = MIN(age, 1);
+  given_gradient = fluid.gradient;
   set_fixed(lattice, fluid.lower, fluid.upper, p);
 
   predict_motion(step, fluid, plates);
@@ -286,6 +312,7 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
   }
   const double c =
       Pore_NS::largest(Pore_NS::implicit_mobilities(mobility, bound, step)) + step * of_plate;
+  seen.plate_lag = c / (c - step * of_plate);
   const double s = storage + of_mean;
   Field change;
   seen.convergence = {};

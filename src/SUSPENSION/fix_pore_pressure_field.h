@@ -19,6 +19,7 @@
 #include "pore_step.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -63,6 +64,7 @@ class PoreField : public PoreSolver {
   Pore_NS::WallVelocity wall;    // as motion
   Pore_NS::ElementMatrix matrix;
   Pore_NS::Field p;
+  std::optional<Lubcontact_NS::Vec3> given_gradient;    // of the last step of this run of LAMMPS
   int age;            // solutions since there was no pressure, counted while they iterate
   double made_for;    // spacing asked for when the grid was made; -1: there is none
   Plates of_deposit;
@@ -91,6 +93,7 @@ class PoreField : public PoreSolver {
   void predict_motion(double dt, const Fluid &, const Plates &);
   void respond(const Pore_NS::Field &, const Plates &, std::vector<Pore_NS::Motion> &sums,
                Pore_NS::WallVelocity &) const;
+  bool jumps(const Fluid &) const;
   void solve_constant(const Pore_NS::Field &r, double c, double s, Pore_NS::Field &change) const;
   void see(const Fluid &);
 };

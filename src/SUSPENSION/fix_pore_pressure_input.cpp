@@ -12,6 +12,7 @@
 #include "fix_pore_pressure.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_pore_pressure_settings.h"
@@ -56,6 +57,7 @@ void FixPorePressure::parse(int narg, char **arg)
 {
   require_words(FLERR, error, "fix pore/pressure", narg + 1,
                 "fix ID group pore/pressure eta|pair ...");
+  words = utils::join_words(std::vector<std::string>(arg + 3, arg + narg), " ");
   settings->viscosity_of_pair = strcmp(arg[3], "pair") == 0;
   if (!settings->viscosity_of_pair) settings->viscosity = InputNumber(lmp, arg[3]);
   if (!settings->viscosity_of_pair && settings->viscosity.is_number() &&
@@ -89,7 +91,7 @@ void FixPorePressure::parse(int narg, char **arg)
         "Fix pore/pressure mean undrained needs a fluid that can be compressed; add: storage "
         "S");
   if (!settings->even) return;
-  for (const char *key : {"spacing", "grid", "tolerance", "pressure", "gradient"})
+  for (const char *key : {"spacing", "grid", "tolerance", "pressure", "gradient", "every"})
     if (given.count(key))
       error->all(FLERR, given[key],
                  "Fix pore/pressure solver mean has no pressure in space: {} cannot act; remove it",
@@ -108,6 +110,27 @@ void FixPorePressure::parse(int narg, char **arg)
         FLERR, given["solver"],
         "Fix pore/pressure solver mean has nothing to do in a cell that is drained: add mean "
         "layer H, or mean undrained with a storage");
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string FixPorePressure::settings_text() const
+{
+  std::string text;
+  for (const std::string &word : utils::split_words(words)) {
+    if (!text.empty()) text += " ";
+    const auto numbers = settings->numbers();
+    const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto *number) {
+      return !number->is_number() && "v_" + number->variable == word;
+    });
+    if (found != numbers.end() && !evaluated)
+      error->all(FLERR,
+                 "Suspension_scene measure cannot copy fix {}: variable {} has no value before the "
+                 "first run; add run 0",
+                 id, (*found)->variable);
+    text += found == numbers.end() ? word : fmt::format("{}", (*found)->value);
+  }
+  return text;
 }
 
 /* ----------------------------------------------------------------------
@@ -257,6 +280,25 @@ void FixPorePressure::check_plates() const
                "once, which the servo of fix {} cannot follow: use load instead of pressure there, "
                "or upper drained",
                settings->plates);
+}
+
+/* ----------------------------------------------------------------------
+   P of one solution a step bounds how fast the pressure moves the plate, and the more the lighter
+   it is: the pressure then is late, and the plate bounces on it
+------------------------------------------------------------------------- */
+
+void FixPorePressure::warn_of_lag()
+{
+  static constexpr double LAG = 2.0;
+  const double lag = field->report().plate_lag;
+  if (warned || settings->iterate || lag < LAG) return;
+  warned = true;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "Fix pore/pressure: the impermeable upper plate is so light that solver grid "
+                   "lets the pressure lag by about {:.3g} steps, and the plate bounces on it: use "
+                   "solver cg, or increase the mass in fix {}",
+                   lag, settings->plates);
 }
 
 /* ----------------------------------------------------------------------

@@ -49,6 +49,7 @@ void FixPorePressure::find_flow()
 
 double FixPorePressure::evaluate()
 {
+  evaluated = true;
   PoreSettings &s = *settings;
   bool variables = false;
   for (const auto *number : s.numbers())

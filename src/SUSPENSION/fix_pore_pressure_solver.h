@@ -60,6 +60,7 @@ class PoreSolver : protected Pointers {
     Pore_NS::Convergence convergence;
     double k_min = 0.0, k_max = 0.0;
     double explicit_step = 0.0;
+    double plate_lag = 1.0;    // steps by which a plate makes one solution a step lag
   };
 
   struct Layer {

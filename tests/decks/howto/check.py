@@ -116,4 +116,14 @@ deck.expect_close("the floor carries the weight", table["c_load"][-1], -table["v
 deck.expect_close("the bed rests", table["v_v"][-1], 0, atol=1e-3)
 deck.expect("it was a suspension", table["v_v"].max() > 0.1, f"{table['v_v'].max():.3f}")
 deck.expect("the adviser knows that it settles", "No input lines: the system is not sheared" in text)
+
+# Howto_pore_pressure: a layer that begins to shear sucks; and the periodic piece of it
+script, = scripts("doc/src/Howto_pore_pressure.rst")
+table = deck.Run(run("layer", script.replace("run             3000", "run             1500"), N=150, rest=40), 0).thermo()
+deck.expect("the fluid is sucked in", np.all(table["f_pores[3]"][1:] < -1), f"{table['f_pores[3]']}")
+deck.expect("and the grains resist", table["f_cell[9]"][-1] > 8, f"{table['f_cell[9]'][-1]:.3g}")
+piece = indented("doc/src/Howto_pore_pressure.rst", "fix             pores all pore/pressure pair cell mean", "Fix deform/rheometer then", 3)
+text = run("piece", dry.replace("fix move", "change_box all triclinic\nfix move") + lines.split("fix  ")[0] + piece +
+           "thermo_style custom step f_pores[3] f_shear[4]\nrun 300\n")
+deck.expect("the fluid has a part of the pressure", np.ptp(deck.Run(text, 0).thermo()["f_pores[3]"]) > 0)
 deck.finish()

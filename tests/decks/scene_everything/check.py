@@ -80,7 +80,7 @@ everything = run("by_hand", flow=PRESSED, keywords="shear no", coeffs="friction 
 expect_everything("film off", text, everything, plain)
 deck.expect("  what matters is on in the advice", "cut 0.5 twist no\n" in advice(text), advice(text))
 for effect, cure in (("critical load", "critical F"), ("adhesion", "adhesion F"), ("repulsion", "repulsion F lambda"),
-                     ("drag", "add fix drag/background")):
+                     ("drag", "add fix drag/background"), ("pores", "add fix pore/pressure")):
     deck.expect(f"  {effect} is missing", lacks(text, effect) and cure in lacks(text, effect).group(1))
 deck.expect("  friction is not", not lacks(text, "friction"))
 
@@ -121,6 +121,20 @@ deck.expect_close("drag: part of the power", parts[1], 100 * plain[:, 5].mean() 
 deck.expect("  none of the stress", parts[0] is None)
 deck.expect_close("drag: changes without it", changes, change(run("without", change="unfix drag", **drag), plain), atol=0.051)
 deck.expect("  it is in the advice", f"  {DRAG}\n" in advice(text), advice(text))
+
+# the fluid of the pores: the same; its pressure goes on in the copy
+for what, pores in (("pores", "fix pore all pore/pressure pair cell"), ("pores of a layer", "fix pore all pore/pressure v_eta cell mean layer 3 factor 5"),
+                    ("pores, undrained", "fix pore all pore/pressure pair cell storage 0.01 mean undrained")):
+    case = {"flow": PRESSED, "drag": pores}
+    text, plain = changes_nothing(what, **case)
+    expect_everything(what, text, plain)
+    parts, changes = row(text, "pores")
+    deck.expect_close(f"{what}: part of the power", parts[1], 100 * plain[:, 5].mean() / plain[:, 6].mean(), atol=0.051)
+    deck.expect("  there is some", parts[1] > 1 and parts[0] is None, f"{parts}")
+    deck.expect_close(f"{what}: changes without them", changes, change(run("without", change="unfix pore", **case), plain), atol=0.051)
+    matter = "undrained" not in what    # whose mean pressure the particles do not feel
+    deck.expect("  they change something", (abs(changes[0][0]) > 0.5) == matter, f"{changes}")
+    deck.expect("  they are in the advice", (f"  {pores}\n" if matter else "  # and no fix pore\n") in advice(text), advice(text))
 
 # and where it moves the particles it stays
 massless = {"flow": STEADY, "massless": "yes", "keywords": "twist no"}

@@ -44,6 +44,8 @@ CASES = [    # lines, message, underlined word or None
      "cannot copy fix d: variable u is atom-style; suspension_scene without measure works", None),
     (SHEAR + "variable u equal 1.0\nfix d all drag/background v_u cell\nsuspension_scene measure 10",
      "cannot copy fix d: variable u has no value before the first run; add run 0", None),
+    ("variable u equal 1.0\nfix d all pore/pressure v_u cell\n" + SHEAR + "suspension_scene measure 10",
+     "cannot copy fix d: variable u has no value before the first run; add run 0", None),
     (SHEAR + "group now dynamic all every 1\nfix d now drag/background 1\nsuspension_scene measure 10",
      "cannot copy the dynamic group now of fix d; suspension_scene without measure works", None),
     (SHEAR + HYBRID + "suspension_scene measure 10", "lubcontact alone, but the pair style is hybrid; suspension_scene without measure works", None),
@@ -51,7 +53,7 @@ CASES = [    # lines, message, underlined word or None
     (GRAVITY + "suspension_scene measure 10", "supports only sheared suspensions without other forces and cannot copy fix pull of style gravity: "
      "unfix it if it does not matter; suspension_scene without measure works; or compare two runs of your own", None),
     *((SHEAR + f"fix other all {style}\nsuspension_scene measure 10", f"cannot copy fix other of style {style.split()[0]}: unfix it", None)
-      for style in ("addforce 0 1 0", "pore/pressure 1", "wall/lj93 ylo EDGE 1 1 1 pbc yes", "adapt 1 pair lubcontact friction * * v_one")),
+      for style in ("addforce 0 1 0", "wall/lj93 ylo EDGE 1 1 1 pbc yes", "adapt 1 pair lubcontact friction * * v_one")),
     (SHEAR + "neigh_modify once yes exclude type 1 1\ngroup some id <= 100\natom_modify first some\nneigh_modify include some\n"
      "comm_modify group some\npair_modify compute no\nrun_style respa 2 2\nsuspension_scene measure 10",
      "measure cannot copy run_style respa, pair_modify compute no, neigh_modify exclude, neigh_modify include, neigh_modify once yes, "
