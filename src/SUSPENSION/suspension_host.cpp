@@ -142,7 +142,7 @@ Suspension_NS::CellFlow::CellFlow(const Domain *domain)
   if (!domain->deform_flag) return;
   gradient = cell_gradient(domain);
   std::copy_n(domain->boxlo, 3, origin.begin());
-  std::copy_n(domain->h_ratelo, 3, of_origin.begin());
+  std::copy_n(domain->h_ratelo, 3, at_origin.begin());
 }
 
 /* ---------------------------------------------------------------------- */

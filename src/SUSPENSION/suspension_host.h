@@ -66,14 +66,14 @@ class CellFlow {
   std::array<double, 3> at(const double *x) const
   {
     const double r[3] = {x[0] - origin[0], x[1] - origin[1], x[2] - origin[2]};
-    return {of_origin[0] + gradient.xx * r[0] + gradient.xy * r[1] + gradient.xz * r[2],
-            of_origin[1] + gradient.yy * r[1] + gradient.yz * r[2],
-            of_origin[2] + gradient.zz * r[2]};
+    return {at_origin[0] + gradient.xx * r[0] + gradient.xy * r[1] + gradient.xz * r[2],
+            at_origin[1] + gradient.yy * r[1] + gradient.yz * r[2],
+            at_origin[2] + gradient.zz * r[2]};
   }
 
  private:
   CellGradient gradient;
-  std::array<double, 3> origin{}, of_origin{};
+  std::array<double, 3> origin{}, at_origin{};
 };
 
 // A sum over particles as it was, if the new one differs by rounding alone: another order of the
