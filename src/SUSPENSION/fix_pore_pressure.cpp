@@ -13,7 +13,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_pore_pressure_field.h"
 #include "fix_pore_pressure_settings.h"
 #include "fix_rheometer_plates.h"
 #include "force.h"
@@ -36,16 +35,13 @@ FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new PoreSettings()), plates(nullptr), dilation(nullptr),
     force_of_atom(nullptr), work(0.0), tilt{}
 {
-  if (!PoreField::has_library())
-    error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
   parse(narg, arg);
-  field = std::make_unique<PoreField>(lmp);
   scalar_flag = 0;
   vector_flag = 1;
   size_vector = Output::NUM;
   array_flag = 1;
   size_array_rows = MAX(settings->elements[1], 1);
-  size_array_rows_variable = settings->elements[1] == 0;
+  size_array_rows_variable = settings->elements[1] == 0 && !settings->network;
   size_array_cols = Output::NUM_COLUMNS;
   extvector = extarray = 0;
   peratom_flag = 1;

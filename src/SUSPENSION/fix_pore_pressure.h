@@ -18,6 +18,7 @@ FixStyle(pore/pressure,FixPorePressure);
 
 #include "fix.h"
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -83,6 +84,7 @@ class FixPorePressure : public Fix {
 
   void parse(int, char **);
   int parse_keyword(int, int, char **);
+  void make_solver(const std::map<std::string, int> &given);
   void check_order() const;
   void check_others() const;
   void check_plates() const;

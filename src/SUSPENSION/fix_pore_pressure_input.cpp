@@ -14,6 +14,8 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_pore_pressure_field.h"
+#include "fix_pore_pressure_network.h"
 #include "fix_pore_pressure_settings.h"
 #include "fix_rheometer_plates.h"
 #include "modify.h"
@@ -34,7 +36,8 @@ using Suspension_NS::require_words;
 
 // values of each keyword
 static const std::map<std::string, std::string> KEYWORDS = {
-    {"solver", "grid|cg"},
+    {"solver", "grid|cg|network"},
+    {"alpha", "auto|a"},
     {"spacing", "h"},
     {"grid", "nx ny nz"},
     {"permeability", "beetstra|kozeny|constant ..."},
@@ -87,6 +90,44 @@ void FixPorePressure::parse(int narg, char **arg)
         FLERR, given["mean"],
         "Fix pore/pressure mean undrained needs a fluid that can be compressed; add: storage "
         "S");
+  make_solver(given);
+}
+
+/* ----------------------------------------------------------------------
+   who holds the pressure, and what that one does not know
+------------------------------------------------------------------------- */
+
+void FixPorePressure::make_solver(const std::map<std::string, int> &given)
+{
+  if (!settings->network) {
+    if (!PoreField::has_library())
+      error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
+    if (given.count("alpha"))
+      error->all(
+          FLERR, given.at("alpha"),
+          "Fix pore/pressure alpha is that of a network: it cannot act on a grid; remove alpha "
+          "or use solver network");
+    field = std::make_unique<PoreField>(lmp);
+    return;
+  }
+  if (!RadicalTessellation::has_library())
+    error->all(FLERR, 2, "Fix pore/pressure solver network {}", PoreNetwork::NO_LIBRARY);
+  for (const char *key : {"spacing", "grid", "permeability", "phi_min"})
+    if (given.count(key))
+      error->all(
+          FLERR, given.at(key),
+          "Fix pore/pressure {} is that of a grid: it cannot act on a network, which has its "
+          "permeability from its pores; remove it or use solver grid",
+          key);
+  if (given.count("plates"))
+    error->all(FLERR, given.at("plates"),
+               "Fix pore/pressure solver network fills periodic cells: between plates use solver "
+               "grid or cg");
+  if (domain->dimension == 2)
+    error->all(FLERR, given.at("solver"),
+               "Fix pore/pressure solver network has no pores between discs; use solver grid with "
+               "permeability constant k");
+  field = std::make_unique<PoreNetwork>(lmp);
 }
 
 /* ----------------------------------------------------------------------
@@ -110,7 +151,11 @@ int FixPorePressure::parse_keyword(int iarg, int narg, char **arg)
                utils::join_words(words, " "), arg[at]);
   };
   if (key == "solver") {
-    s.iterate = choose(iarg + 1, {"grid", "cg"}) == 1;
+    const int which = choose(iarg + 1, {"grid", "cg", "network"});
+    s.iterate = which == 1;
+    s.network = which == 2;
+  } else if (key == "alpha") {
+    if (strcmp(arg[iarg + 1], "auto") != 0) s.alpha = positive(iarg + 1);
   } else if (key == "spacing") {
     s.spacing = positive(iarg + 1);
   } else if (key == "grid") {
@@ -195,6 +240,7 @@ void FixPorePressure::init()
   check_others();
   check_order();
   find_flow();
+  field->init();
 
   plates = nullptr;
   if (!settings->plates.empty()) {

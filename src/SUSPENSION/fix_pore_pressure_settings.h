@@ -37,7 +37,8 @@ struct PoreSettings {
   double layer = 0.0;     // height of Mean::LAYER
   Number gradient[3];     // mean one, LAMMPS' pressure over length
   PoreSolver::Coupling coupling = PoreSolver::Coupling::IMPLICIT;
-  bool iterate = false;
+  bool network = false, iterate = false;
+  double alpha = 0.0;    // factor of the conductances of a network; 0: auto
   double tolerance = 1e-8;
   int every = 1;
 

@@ -68,6 +68,7 @@ class PoreSolver : protected Pointers {
 
   explicit PoreSolver(LAMMPS *lmp) : Pointers(lmp) {}
 
+  virtual void init() {}    // before the ghosts of a run are chosen
   // before a run; heights of the cell or the gap. Returns the number of layers of the profile
   virtual int prepare(const PoreSettings &, const std::array<double, 3> &heights,
                       double mean_diameter) = 0;

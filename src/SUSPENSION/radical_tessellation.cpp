@@ -42,7 +42,6 @@ const char *const RadicalTessellation::NO_LIBRARY =
 #include "atom.h"
 #include "domain.h"
 #include "lubcontact_vec3.h"
-#include "neigh_list.h"
 
 #include <cmath>
 #include <memory>
@@ -50,10 +49,6 @@ const char *const RadicalTessellation::NO_LIBRARY =
 #include <voro++/voro++.hh>
 
 using Lubcontact_NS::Vec3;
-
-// Smaller faces are none, so that ties of regular arrangements (Voro++ decides to 1e-11) do not
-// depend on the rounding of a rank. Over the largest radius squared; in 2d a length over it.
-static constexpr double LEAST_AREA = 1e-8;
 
 // Ghosts out to this distance decide the faces of dense suspensions. Over the largest radius.
 static constexpr double GHOST_DISTANCE = 5.0;
@@ -181,28 +176,32 @@ void Surroundings::bounds(double *lo, double *hi) const
 // In 2d a slab as thick as this unit, so that the area of a face is its length.
 class Cells : protected Pointers {
  public:
-  explicit Cells(LAMMPS *lmp);
+  Cells(LAMMPS *lmp, const std::vector<Vec3> *displaced);
   // calls shared(i, cell) for each owned atom that has a cell
   template <class F> void each_cell(const F &shared);
   double face_missing(int i, int j, const std::vector<double> &points,
                       const std::vector<int> &corners) const;
   bool is_sure(VoroCell &cell) const;
+  double vertices_missing(int i, const std::vector<double> &points) const;
 
  private:
   Surroundings surroundings;
+  const std::vector<Vec3> *displaced;
   double unit;
   Vec3 middle;
   std::unique_ptr<voro::container_poly> container;
   voro::particle_order owned;
   Vec3 position(int i) const
   {
-    return {atom->x[i][0], atom->x[i][1], domain->dimension == 3 ? atom->x[i][2] : 0.0};
+    const Vec3 x = {atom->x[i][0], atom->x[i][1], domain->dimension == 3 ? atom->x[i][2] : 0.0};
+    return displaced ? x + (*displaced)[i] : x;
   }
   double missing(int i, const Vec3 &q) const;
 };
 
-Cells::Cells(LAMMPS *lmp) :
-    Pointers(lmp), surroundings(lmp), unit(surroundings.radius_max), owned(MAX(atom->nlocal, 1))
+Cells::Cells(LAMMPS *lmp, const std::vector<Vec3> *displaced) :
+    Pointers(lmp), surroundings(lmp), displaced(displaced), unit(surroundings.radius_max),
+    owned(MAX(atom->nlocal, 1))
 {
   const int nall = atom->nlocal + atom->nghost;
   const bool flat = domain->dimension == 2;
@@ -258,6 +257,14 @@ bool Cells::is_sure(VoroCell &cell) const
   const double farthest = 0.5 * unit * sqrt(cell.max_radius_squared());    // twice, in Voro++
   const double most = surroundings.radius_max;
   return farthest + sqrt(farthest * farthest + most * most) < surroundings.reach;
+}
+
+double Cells::vertices_missing(int i, const std::vector<double> &points) const
+{
+  double most = -HUGE_VAL;
+  for (std::size_t n = 0; n < points.size(); n += 3)
+    most = std::fmax(most, missing(i, unit * Vec3{points[n], points[n + 1], points[n + 2]}));
+  return most;
 }
 
 /* ----------------------------------------------------------------------
@@ -317,10 +324,11 @@ void RadicalTessellation::request_ghosts(double largest_radius)
 
 /* ---------------------------------------------------------------------- */
 
-void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &visit) const
+void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &visit,
+                                    const std::vector<Vec3> *displaced) const
 {
   if (atom->nlocal == 0) return;
-  Cells cells(lmp);
+  Cells cells(lmp, displaced);
   Cell cell;
   std::vector<int> corners, polygon;
   std::vector<double> points;
@@ -347,36 +355,22 @@ void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &vis
                    who, atom->tag[i], atom->tag[j], comm->get_comm_cutoff(),
                    1.1 * (comm->get_comm_cutoff() + missing));
     };
+    cell.get_vertices = [&, i, sure](std::vector<std::array<int, 3>> &vertices) {
+      const double missing = sure ? 0.0 : cells.vertices_missing(i, points);
+      if (missing > 0.0)
+        error->one(FLERR,
+                   "{} cannot tell which pores atom {} has: there are voids, and ghost atoms reach "
+                   "{:.6g} only; use: comm_modify cutoff {:.4g}",
+                   who, atom->tag[i], comm->get_comm_cutoff(),
+                   1.1 * (comm->get_comm_cutoff() + missing));
+      vertices.clear();
+      for (int n = 0; n < found.p; n++) {
+        if (found.nu[n] != 3) return false;
+        vertices.push_back({found.ne[n][0], found.ne[n][1], found.ne[n][2]});
+      }
+      return true;
+    };
     visit(cell);
-  });
-}
-
-/* ---------------------------------------------------------------------- */
-
-void RadicalTessellation::mark_faces(const NeighList *list, FaceFlags &faces) const
-{
-  std::size_t total = 0;
-  faces.first.assign(atom->nlocal, FaceFlags::NONE);    // under hybrid: a particle of other styles
-  for (int ii = 0; ii < list->inum; ii++) {
-    faces.first[list->ilist[ii]] = total;
-    total += list->numneigh[list->ilist[ii]];
-  }
-  faces.flags.assign(total, 0);
-  if (total == 0) return;
-
-  std::vector<int> entry(atom->nlocal + atom->nghost, -1);    // place in the list of i
-  each_cell([&](const Cell &cell) {
-    const int i = cell.owner;
-    if (faces.first[i] == FaceFlags::NONE) return;
-    const int *jlist = list->firstneigh[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = jj;
-    for (std::size_t n = 0; n < cell.neighbors.size(); n++) {
-      const int j = cell.neighbors[n];
-      if (j < 0 || entry[j] < 0 || cell.areas[n] < LEAST_AREA) continue;
-      faces.flags[faces.first[i] + entry[j]] = 1;
-      cell.require_sure(n);
-    }
-    for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = -1;
   });
 }
 
@@ -392,12 +386,8 @@ void RadicalTessellation::request_ghosts(double)
   error->all(FLERR, "{} {}", who, NO_LIBRARY);
 }
 
-void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &) const
-{
-  error->all(FLERR, "{} {}", who, NO_LIBRARY);
-}
-
-void RadicalTessellation::mark_faces(const NeighList *, FaceFlags &) const
+void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &,
+                                    const std::vector<Lubcontact_NS::Vec3> *) const
 {
   error->all(FLERR, "{} {}", who, NO_LIBRARY);
 }

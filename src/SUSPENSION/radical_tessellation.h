@@ -17,8 +17,10 @@
 #ifndef LMP_RADICAL_TESSELLATION_H
 #define LMP_RADICAL_TESSELLATION_H
 
+#include "lubcontact_vec3.h"
 #include "pointers.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -65,8 +67,13 @@ class RadicalTessellation : protected Pointers {
     std::vector<int> neighbors;
     std::vector<double> areas;
     std::function<void(std::size_t)> require_sure;    // of face n
+    // The three neighbors that meet at each vertex: with the owner, a tetrahedron of the dual.
+    // False if more than three do, a tie. Vertices that ghosts do not decide are errors.
+    std::function<bool(std::vector<std::array<int, 3>> &)> get_vertices;
   };
-  void each_cell(const std::function<void(const Cell &)> &) const;    // of the owned atoms
+  // of the owned atoms; all atoms, ghosts too, may be displaced to break ties
+  void each_cell(const std::function<void(const Cell &)> &,
+                 const std::vector<Lubcontact_NS::Vec3> *displaced = nullptr) const;
 
   void mark_faces(const NeighList *, FaceFlags &) const;
 
