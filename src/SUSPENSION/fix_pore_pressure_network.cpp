@@ -108,7 +108,7 @@ void PoreNetwork::shape(const Fluid &fluid)
   const auto [begin, end] = share(links);
   for (int n = begin; n < end; n++) {
     const Pore_NS::Throat t = throat_of(net, net.links[n], nudged, radius, edges, centers);
-    throats[2 * n] = conductance(t);
+    throats[2 * n] = conductance_of(net, net.links[n], t, radius);
     throats[2 * n + 1] = throat_permeability(t);
   }
   gather_rows(throats, 2);
@@ -122,7 +122,6 @@ void PoreNetwork::shape(const Fluid &fluid)
     seen.k_min = MIN(seen.k_min, factor * throats[2 * n + 1]);
     seen.k_max = MAX(seen.k_max, factor * throats[2 * n + 1]);
   }
-  Pore_NS::clamp_conductances(flow.g);
   seen.explicit_step = network_explicit_step(net, flow, inverse_mass);
 
   seen.gradient = fluid.gradient;

@@ -95,16 +95,14 @@ inline Throat throat_of(const Network &net, const Link &link, const std::vector<
   return make_throat(f);
 }
 
-// Flat pores have throats of nearly no length: what is far from the median changes the
-// permeability of a packing by less than a percent, but not the number of iterations.
-inline void clamp_conductances(std::vector<double> &g)
+// length^3, over the viscosity
+inline double conductance_of(const Network &net, const Link &link, const Throat &throat,
+                             const std::vector<double> &radius)
 {
-  static constexpr double LEAST = 1e-2, MOST = 1e2;
-  if (g.empty()) return;
-  std::vector<double> sorted(g);
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  for (double &value : g) value = std::fmin(std::fmax(value, LEAST * *middle), MOST * *middle);
+  double sum = 0.0;
+  for (const Corner &c : facet_opposite(net.pores[link.pore[0]], link.opposite[0]))
+    sum += radius[c.particle];
+  return conductance(throat, sum / 3.0);
 }
 
 // ---- the matrices, row by row

@@ -75,8 +75,7 @@ struct Facet {
   double height[2];
 };
 
-// What a throat is: its conductance is area * radius^2/(2 viscosity length), and without a length
-// or area none.
+// What a throat is: its conductance is area * radius^2/(2 viscosity length).
 struct Throat {
   double facet = 0.0;     // area of the whole facet
   double area = 0.0;      // of its part in the fluid
@@ -107,12 +106,19 @@ inline Throat make_throat(const Facet &f)
   return t;
 }
 
-// length^3, over the viscosity: none where spheres overlap, any where two power centers meet
-inline double conductance(const Throat &t)
+// Bounds of a throat, over the mean radius of its spheres. Two power centers that meet are a single
+// pore with a flat facet through it: a length up to the least changes the permeability of a packing
+// by 0.3 %. The least conductance is that of a facet that overlaps close; three
+// spheres that touch leave about a hundred times as much.
+static constexpr double LEAST_LENGTH = 0.1, LEAST_CONDUCTANCE = 1e-5;
+
+// length^3, over the viscosity
+inline double conductance(const Throat &t, double mean_radius)
 {
-  if (!(t.area > 0.0) || !(t.radius > 0.0)) return 0.0;
-  if (!(t.length > 0.0)) return HUGE_VAL;
-  return t.area * t.radius * t.radius / (2.0 * t.length);
+  const double least = LEAST_CONDUCTANCE * mean_radius * mean_radius * mean_radius;
+  if (!(t.area > 0.0) || !(t.radius > 0.0)) return least;
+  return std::fmax(
+      least, 0.5 * t.area * t.radius * t.radius / std::fmax(t.length, LEAST_LENGTH * mean_radius));
 }
 
 // length^2: of the facet, for a gradient along the throat

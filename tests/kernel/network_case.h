@@ -91,7 +91,8 @@ inline Lattice make_lattice(int m, Random &rnd, double jitter = 0.0, double tilt
     s.positive.push_back(std::copysign(1.0, tetrahedron_volume(corners_of(pore, s.x, s.cell))));
   s.shape();
   for (const Link &link : s.net.links)
-    s.flow.g.push_back(conductance(throat_of(s.net, link, s.x, s.radius, s.cell, s.centers)));
+    s.flow.g.push_back(conductance_of(
+        s.net, link, throat_of(s.net, link, s.x, s.radius, s.cell, s.centers), s.radius));
   return s;
 }
 
