@@ -62,17 +62,16 @@ std::pair<int, int> PoreNetwork::share(std::size_t number) const
   return {part(comm->me), part(comm->me + 1)};
 }
 
-void PoreNetwork::gather_rows(std::vector<double> &rows, int width) const
+void PoreNetwork::gather_rows(double *rows, std::size_t number, int width) const
 {
   if (comm->nprocs == 1) return;
-  const std::size_t number = rows.size() / width;
   std::vector<int> counts(comm->nprocs), starts(comm->nprocs + 1, 0);
   for (int rank = 0; rank < comm->nprocs; rank++) {
     starts[rank + 1] = width * static_cast<int>(number * (rank + 1) / comm->nprocs);
     counts[rank] = starts[rank + 1] - starts[rank];
   }
-  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, rows.data(), counts.data(), starts.data(),
-                 MPI_DOUBLE, world);
+  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, rows, counts.data(), starts.data(), MPI_DOUBLE,
+                 world);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -111,7 +110,7 @@ void PoreNetwork::shape(const Fluid &fluid)
     throats[2 * n] = conductance_of(net, net.links[n], t, radius);
     throats[2 * n + 1] = throat_permeability(t);
   }
-  gather_rows(throats, 2);
+  gather_rows(throats.data(), links, 2);
   const double phi = solid / volume();
   const double factor = fluid.law.factor * (alpha > 0.0 ? alpha : Pore_NS::network_alpha(phi));
   flow.g.resize(links);
@@ -178,25 +177,20 @@ void PoreNetwork::solve(double dt, double storage, const std::vector<double> &rh
   const auto [first, last] = share(rhs.size());
   const auto [begin, end] = share(x.size());
   const int from = first, to = last, head = begin, tail = end;
-  std::vector<double> diagonals(rhs.size()), numbers(3 * x.size());
-  for (std::size_t i = 0; i < rhs.size(); i++)
-    diagonals[i] = diagonal(net, flow, dt, storage, inverse_mass, static_cast<int>(i));
+  const Pore_NS::ImplicitMatrix a = implicit_matrix(net, flow, dt, storage, inverse_mass);
   std::vector<Vec3> acceleration(x.size());
   auto apply = [&](const std::vector<double> &q, std::vector<double> &y) {
     if (dt > 0.0) {
-      for (int k = head; k < tail; k++)
-        Lubcontact_NS::put_vector(inverse_mass[k] * pore_force(net, flow, q, k), &numbers[3 * k]);
-      gather_rows(numbers, 3);
-      for (std::size_t k = 0; k < x.size(); k++)
-        acceleration[k] = Lubcontact_NS::get_vector(&numbers[3 * k]);
+      for (int k = head; k < tail; k++) acceleration[k] = acceleration_of(a, q, k);
+      gather_rows(&acceleration[0].x, acceleration.size(), 3);
     }
     y.resize(q.size());
-    for (int i = from; i < to; i++) y[i] = implicit_row(net, flow, dt, storage, q, acceleration, i);
-    gather_rows(y, 1);
+    for (int i = from; i < to; i++) y[i] = implicit_row(a, q, acceleration, i);
+    gather_rows(y.data(), y.size(), 1);
   };
   auto precondition = [&](const std::vector<double> &r, std::vector<double> &z) {
     z.resize(r.size());
-    for (std::size_t i = 0; i < r.size(); i++) z[i] = r[i] / diagonals[i];
+    for (std::size_t i = 0; i < r.size(); i++) z[i] = r[i] / a.rows[i].diagonal;
   };
   auto agree = [this](double value) {
     if (comm->nprocs > 1) MPI_Bcast(&value, 1, MPI_DOUBLE, 0, world);

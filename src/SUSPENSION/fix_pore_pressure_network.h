@@ -85,7 +85,7 @@ class PoreNetwork : public PoreSolver {
   void gather_particles(int groupbits);
   std::vector<double> gather(int width,
                              const std::function<void(int i, double *values)> &pack) const;
-  void gather_rows(std::vector<double> &rows, int width) const;
+  void gather_rows(double *rows, std::size_t number, int width) const;
   std::pair<int, int> share(std::size_t number) const;
   void follow_flip(const Pore_NS::CellEdges &before);
   void nudge();

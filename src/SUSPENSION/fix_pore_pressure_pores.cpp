@@ -234,7 +234,7 @@ void PoreNetwork::triangulate()
     old_volume.push_back(one.volume);
     old_p.push_back(one.p);
   }
-  p = Pore_NS::carry_over(old, old_volume, old_p, net.pores, volume_now);
+  p = carry_over(old, old_volume, old_p, net.pores, volume_now);
 }
 
 /* ----------------------------------------------------------------------

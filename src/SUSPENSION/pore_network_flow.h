@@ -143,27 +143,71 @@ inline Vec3 pore_force(const Network &net, const Flow &flow, const std::vector<d
   return sum;
 }
 
-// A_ii; storage: S/dt
-inline double diagonal(const Network &net, const Flow &flow, double dt, double storage,
-                       const std::vector<double> &inverse_mass, int i)
+// The same in the order in which the iterations read it: A by rows, storage S/dt included.
+struct ImplicitMatrix {
+  struct Row {
+    std::array<int, 4> neighbor, particle;
+    std::array<double, 4> g;
+    std::array<Vec3, 4> gradient;
+    double stored, diagonal;
+  };
+  struct Entry {
+    int pore;
+    Vec3 gradient;    // over the mass
+  };
+  double dt = 0.0;    // 0: A = K and what is stored
+  std::vector<Row> rows;
+  std::vector<int> first;
+  std::vector<Entry> entries;    // of D^T: by particles
+};
+
+inline ImplicitMatrix implicit_matrix(const Network &net, const Flow &flow, double dt,
+                                      double storage, const std::vector<double> &inverse_mass)
 {
-  double sum = storage * flow.shape[i].volume;
-  for (const int n : net.link_of[i]) sum += flow.g[n];
-  for (int n = 0; n < 4; n++) {
-    const Vec3 &gradient = flow.shape[i].gradient[n];
-    sum += dt * inverse_mass[net.pores[i][n].particle] * dot(gradient, gradient);
+  ImplicitMatrix a;
+  a.dt = dt;
+  a.rows.resize(net.pores.size());
+  for (int i = 0; i < static_cast<int>(net.pores.size()); i++) {
+    ImplicitMatrix::Row &row = a.rows[i];
+    row.stored = row.diagonal = storage * flow.shape[i].volume;
+    row.gradient = flow.shape[i].gradient;
+    for (int n = 0; n < 4; n++) {
+      const int link = net.link_of[i][n];
+      row.neighbor[n] = beyond(net.links[link], i);
+      row.g[n] = flow.g[link];
+      row.particle[n] = net.pores[i][n].particle;
+      row.diagonal +=
+          row.g[n] + dt * inverse_mass[row.particle[n]] * dot(row.gradient[n], row.gradient[n]);
+    }
   }
+  a.first = net.first;
+  for (int k = 0; k + 1 < static_cast<int>(net.first.size()); k++)
+    for (int n = net.first[k]; n < net.first[k + 1]; n++)
+      a.entries.push_back(
+          {net.at[n].pore,
+           inverse_mass[k] * flow.shape[net.at[n].pore].gradient[net.at[n].corner]});
+  return a;
+}
+
+// D^T p/m of particle k
+inline Vec3 acceleration_of(const ImplicitMatrix &a, const std::vector<double> &p, int k)
+{
+  Vec3 sum;
+  for (int n = a.first[k]; n < a.first[k + 1]; n++)
+    sum = sum + p[a.entries[n].pore] * a.entries[n].gradient;
   return sum;
 }
 
-// (A p)_i, with the accelerations D^T p/m of the particles
-inline double implicit_row(const Network &net, const Flow &flow, double dt, double storage,
-                           const std::vector<double> &p, const std::vector<Vec3> &acceleration,
-                           int i)
+// (A p)_i, with the accelerations of the particles
+inline double implicit_row(const ImplicitMatrix &a, const std::vector<double> &p,
+                           const std::vector<Vec3> &acceleration, int i)
 {
-  double sum = outflow(net, flow, p, i) + storage * flow.shape[i].volume * p[i];
-  if (dt > 0.0) sum += dt * growth(net, flow, acceleration, i);
-  return sum;
+  const ImplicitMatrix::Row &row = a.rows[i];
+  double flux = 0.0, change = 0.0;
+  for (int n = 0; n < 4; n++) flux += row.g[n] * (p[i] - p[row.neighbor[n]]);
+  if (a.dt > 0.0)
+    for (int n = 0; n < 4; n++) change += dot(row.gradient[n], acceleration[row.particle[n]]);
+  return flux + row.stored * p[i] + a.dt * change;
 }
 
 // ---- a mean gradient of the pressure, beside that of p

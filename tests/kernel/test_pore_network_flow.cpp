@@ -12,26 +12,28 @@ double same(double value)
   return value;
 }
 
-// A with storage S/dt, and the diagonal of it
+// A with storage S/dt, and its diagonal
 struct Implicit {
-  const Lattice &s;
-  double dt, storage;
+  ImplicitMatrix a;
+  Implicit(const Lattice &s, double dt, double storage) :
+      a(implicit_matrix(s.net, s.flow, dt, storage, s.inverse_mass))
+  {
+  }
   void operator()(const std::vector<double> &p, std::vector<double> &y) const
   {
-    std::vector<Vec3> acceleration = forces(s, p);
-    for (std::size_t k = 0; k < s.x.size(); k++)
-      acceleration[k] = s.inverse_mass[k] * acceleration[k];
+    std::vector<Vec3> acceleration;
+    for (std::size_t k = 0; k + 1 < a.first.size(); k++)
+      acceleration.push_back(acceleration_of(a, p, static_cast<int>(k)));
     y.resize(p.size());
     for (std::size_t i = 0; i < p.size(); i++)
-      y[i] = implicit_row(s.net, s.flow, dt, storage, p, acceleration, static_cast<int>(i));
+      y[i] = implicit_row(a, p, acceleration, static_cast<int>(i));
   }
   std::vector<double> solve(const std::vector<double> &rhs) const
   {
     std::vector<double> p(rhs.size(), 0.0);
     auto precondition = [this](const std::vector<double> &r, std::vector<double> &z) {
       z.resize(r.size());
-      for (std::size_t i = 0; i < r.size(); i++)
-        z[i] = r[i] / diagonal(s.net, s.flow, dt, storage, s.inverse_mass, static_cast<int>(i));
+      for (std::size_t i = 0; i < r.size(); i++) z[i] = r[i] / a.rows[i].diagonal;
     };
     const Convergence c = conjugate_gradients(*this, precondition, same, rhs, 1e-12, 2000, p);
     EXPECT_LE(c.residual, 1e-12);
@@ -59,7 +61,7 @@ TEST(PoreNetworkFlow, ForcesAddUpToZeroAndTheirPowerIsThatOfTheFlow)
   Random rnd(321);
   const Lattice s = make_lattice(3, rnd, 0.03, 0.3);
   const auto v = random_velocities(rnd, s);
-  const auto p = Implicit{s, 0.0, 0.0}.solve(growths(s, v, -1.0));    // K p = -D v
+  const auto p = Implicit(s, 0.0, 0.0).solve(growths(s, v, -1.0));    // K p = -D v
   const auto f = forces(s, p);
   Vec3 sum;
   double power = 0.0, size = 0.0, flow = 0.0;
@@ -152,7 +154,7 @@ TEST(PoreNetworkFlow, ImplicitStepHoldsDarcysLawAtItsEnd)
       auto rhs = growths(s, v, -1.0);
       for (std::size_t i = 0; i < rhs.size(); i++)
         rhs[i] += storage / dt * s.flow.shape[i].volume * before[i];
-      const auto p = Implicit{s, dt, storage / dt}.solve(rhs);
+      const auto p = Implicit(s, dt, storage / dt).solve(rhs);
       const auto f = forces(s, p);
       for (std::size_t k = 0; k < v.size(); k++) v[k] = v[k] + (dt * s.inverse_mass[k]) * f[k];
       double worst = 0.0, size = 0.0;
@@ -168,6 +170,32 @@ TEST(PoreNetworkFlow, ImplicitStepHoldsDarcysLawAtItsEnd)
     }
 }
 
+// also the diagonal
+TEST(PoreNetworkFlow, ImplicitMatrixIsTheSumOfItsParts)
+{
+  Random rnd(327);
+  const Lattice s = make_lattice(2, rnd, 0.03);
+  const Implicit implicit(s, 0.7, 0.3);
+  const auto p = random_pressure(rnd, s);
+  std::vector<double> y, unit(p.size(), 0.0);
+  implicit(p, y);
+  auto f = forces(s, p);
+  for (std::size_t k = 0; k < f.size(); k++) f[k] = s.inverse_mass[k] * f[k];
+  for (std::size_t i = 0; i < p.size(); i++) {
+    const int row = static_cast<int>(i);
+    EXPECT_NEAR(y[i],
+                outflow(s.net, s.flow, p, row) + 0.7 * growth(s.net, s.flow, f, row) +
+                    0.3 * s.flow.shape[i].volume * p[i],
+                1e-13);
+  }
+  for (const std::size_t i : {std::size_t(0), std::size_t(17), p.size() - 1}) {
+    unit[i] = 1.0;
+    implicit(unit, y);
+    EXPECT_NEAR(implicit.a.rows[i].diagonal, y[i], 1e-14);
+    unit[i] = 0.0;
+  }
+}
+
 // the largest rate of K^-1 D M^-1 D^T, by iteration
 TEST(PoreNetworkFlow, ExplicitStepIsOnTheSafeSide)
 {
@@ -178,7 +206,7 @@ TEST(PoreNetworkFlow, ExplicitStepIsOnTheSafeSide)
   for (int n = 0; n < 300; n++) {
     auto f = forces(s, p);
     for (std::size_t k = 0; k < f.size(); k++) f[k] = s.inverse_mass[k] * f[k];
-    p = Implicit{s, 0.0, 0.0}.solve(growths(s, f));
+    p = Implicit(s, 0.0, 0.0).solve(growths(s, f));
     rate = std::sqrt(scalar_product(p, p));
     for (double &value : p) value /= rate;
   }
