@@ -36,7 +36,9 @@ class PoreField : public PoreSolver {
   int prepare(const PoreSettings &, const std::array<double, 3> &, double) override;
   bool has_pressure() const override { return age > 0; }
   void flipped() override { age = 0; }    // nodes are not mapped onto nodes
-  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &) override;
+  // unless anew, particles keep the weights that they have in lattice coordinates
+  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &,
+               bool anew) override;
   // the first pressures are iterated to the tolerance, and all where asked
   void advance(double dt, const Fluid &, const Plates &) override;
   void add_forces(const Fluid &, const Plates &) override;
@@ -55,7 +57,6 @@ class PoreField : public PoreSolver {
   struct Particle {
     int i;
     double inverse_mass;    // of one that is free, or what of its mass a plate has
-    Pore_NS::Stencil stencil;
   };
 
   Pore_NS::Grid lattice;
@@ -65,21 +66,30 @@ class PoreField : public PoreSolver {
   int age;            // solutions since there was no pressure, counted while they iterate
   double made_for;    // spacing asked for when the grid was made; -1: there is none
   Plates of_deposit;
-  int nlocal;       // of the deposit
-  bool measured;    // motion and flux since then
+  int nlocal;               // of the stencils
+  double yield_of_plate;    // mass over that of the particles times what moves it: of the stencils
+  bool fresh;               // the stencils are of this step
+  bool measured;            // motion and flux since the deposit
   std::vector<Pore_NS::Element> elements;
   std::vector<Pore_NS::Motion> motion;
-  std::vector<double> mobility;
+  std::vector<double> mobility, bound;
   std::vector<Particle> particles;
-  std::vector<Lubcontact_NS::Vec3> pushed;    // forces of the pressure
+  std::vector<Pore_NS::Stencil> stencils;     // of the particles
+  std::vector<Pore_NS::Lanes> of_pores;       // forces of the flow through the pores on them
+  std::vector<Lubcontact_NS::Vec3> pushed;    // all forces of the pressure, by local index
   std::unique_ptr<struct PoreTransforms> transforms;
   Report seen;
 
   Lubcontact_NS::Vec3 force_on_plate(const Pore_NS::Field &of_pressure,
-                                     const std::vector<Lubcontact_NS::Vec3> &gradient,
+                                     const std::vector<Pore_NS::Lanes> &gradient,
                                      const Plates &) const;
-  void sum_motion(const Pore_NS::Field &of_pressure, double dt, bool whole_velocity, const Plates &,
+  void make_stencils(int groupbits, const Fluid &, const Plates &);
+  template <class Velocity>
+  void sum_motion(const Velocity &, const Lubcontact_NS::Vec3 &upper, const Plates &,
                   std::vector<Pore_NS::Motion> &sums, Pore_NS::WallVelocity &) const;
+  void predict_motion(double dt, const Fluid &, const Plates &);
+  void respond(const Pore_NS::Field &, const Plates &, std::vector<Pore_NS::Motion> &sums,
+               Pore_NS::WallVelocity &) const;
   void solve_constant(const Pore_NS::Field &r, double c, double s, Pore_NS::Field &change) const;
   void see(const Fluid &);
 };

@@ -77,7 +77,7 @@ void PoreNetwork::gather_rows(double *rows, std::size_t number, int width) const
 /* ---------------------------------------------------------------------- */
 
 void PoreNetwork::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &fluid,
-                          const Plates &)
+                          const Plates &, bool /*anew*/)
 {
   const Pore_NS::CellEdges before = edges;
   box = cell;
@@ -123,7 +123,7 @@ void PoreNetwork::shape(const Fluid &fluid)
   }
   seen.explicit_step = network_explicit_step(net, flow, inverse_mass);
 
-  seen.gradient = fluid.gradient;
+  seen.outside = fluid;
   rises.resize(links);
   pull.assign(x.size(), Vec3());
   for (std::size_t n = 0; n < links; n++) {
@@ -147,8 +147,9 @@ double PoreNetwork::pore_volume(std::size_t i) const
 void PoreNetwork::advance(double dt, const Fluid &fluid, const Plates &)
 {
   const double step = fluid.coupling == Coupling::IMPLICIT ? dt : 0.0;
-  const std::vector<double> velocities = gather(3, [this, step](int i, double *v) {
-    const auto cell = Suspension_NS::cell_velocity(domain, atom->x[i]);
+  const Suspension_NS::CellFlow flow_of_cell(domain);
+  const std::vector<double> velocities = gather(3, [this, step, &flow_of_cell](int i, double *v) {
+    const auto cell = flow_of_cell.at(atom->x[i]);
     const double added = step * inverse_mass[index[i]];
     for (int d = 0; d < 3; d++) v[d] = atom->v[i][d] - cell[d] + added * atom->f[i][d];
   });
@@ -231,10 +232,11 @@ double PoreNetwork::dissipation() const
 
 void PoreNetwork::measure_flow(const Vec3 &)
 {
+  const Suspension_NS::CellFlow flow_of_cell(domain);
   double mine[2] = {}, all[2];
   for (int i = 0; i < atom->nlocal; i++) {
     const double mass = Suspension_NS::particle_volume(domain, atom->radius[i]);
-    mine[0] += mass * (atom->v[i][1] - Suspension_NS::cell_velocity(domain, atom->x[i])[1]);
+    mine[0] += mass * (atom->v[i][1] - flow_of_cell.at(atom->x[i])[1]);
     mine[1] += mass;
   }
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);

@@ -35,7 +35,8 @@ class PoreNetwork : public PoreSolver {
   int prepare(const PoreSettings &, const std::array<double, 3> &, double) override;
   bool has_pressure() const override { return is_known; }
   void flipped() override {}    // pores are found again by their particles
-  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &) override;
+  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &,
+               bool anew) override;    // pores are kept as long as they can be
   void advance(double dt, const Fluid &, const Plates &) override;
   void add_forces(const Fluid &, const Plates &) override;
   const std::vector<Lubcontact_NS::Vec3> &forces() const override { return pushed; }

@@ -40,7 +40,7 @@ struct PoreSettings {
   bool network = false, iterate = false;
   double alpha = 0.0;    // factor of the conductances of a network; 0: auto
   double tolerance = 1e-8;
-  int every = 1;
+  int every = 20;    // steps that particles keep their weights
 
   std::vector<Number *> numbers()
   {

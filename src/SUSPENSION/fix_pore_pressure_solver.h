@@ -53,10 +53,10 @@ class PoreSolver : protected Pointers {
     double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures
     struct {
       double lower = 0.0, upper = 0.0;
-    } flux;                          // volume/time out of drained plates
-    double given_mean = 0.0;         // that of a periodic cell
-    Lubcontact_NS::Vec3 gradient;    // the mean one that was given
-    double total[3] = {};            // force on all particles
+    } flux;                     // volume/time out of drained plates
+    double given_mean = 0.0;    // that of a periodic cell
+    Fluid outside;              // that has made the forces
+    double total[3] = {};       // force on all particles
     Pore_NS::Convergence convergence;
     double k_min = 0.0, k_max = 0.0;
     double explicit_step = 0.0;
@@ -76,7 +76,9 @@ class PoreSolver : protected Pointers {
   virtual void flipped() = 0;    // the tilt of the cell, since the last step
 
   // the particles of this step with these bits, in this cell; the pressure stays
-  virtual void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &) = 0;
+  // anew: it is time to look where they are
+  virtual void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &,
+                       bool anew) = 0;
   // pressure at the end of the step of length dt, in which the other forces act
   virtual void advance(double dt, const Fluid &, const Plates &) = 0;
   // of the pressure, on the particles as they were deposited: added to their forces
