@@ -1,4 +1,4 @@
-// Shared by the tests of the network of pores: a body-centered lattice of spheres, whose pores are known.
+// Shared by the tests of the network of pores: a body-centered lattice of spheres with known pores.
 
 #ifndef KERNEL_NETWORK_CASE_H
 #define KERNEL_NETWORK_CASE_H

@@ -110,7 +110,7 @@ TEST(PoreTetrahedron, SolidAngleOfAnOctantAndOfHalfASphere)
               1e-10);
 }
 
-// Two regular tetrahedra with a facet in common, of spheres that touch: each corner of the facet has
+// Two regular tetrahedra with a common facet, of spheres that touch: each corner of the facet has
 // a third of the solid angle of a tetrahedron on either side.
 TEST(PoreTetrahedron, ThroatBetweenRegularOnesHasItsClosedForm)
 {
