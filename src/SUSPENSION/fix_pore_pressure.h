@@ -27,7 +27,7 @@ class FixRheometerPlates;
 class PoreSolver;
 
 // Pressure of the fluid between the particles, which must flow when they dilate or settle: Darcy's
-// law on a grid, and its forces on particles and plates.
+// law on a grid or in a network of pores, and its forces on particles and plates.
 class FixPorePressure : public Fix {
  public:
   FixPorePressure(class LAMMPS *, int, char **);
