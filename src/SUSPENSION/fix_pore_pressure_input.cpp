@@ -120,10 +120,11 @@ void FixPorePressure::make_solver(const std::map<std::string, int> &given)
           "Fix pore/pressure {} is that of a grid: it cannot act on a network, which has its "
           "permeability from its pores; remove it or use solver grid",
           key);
-  if (given.count("plates"))
-    error->all(FLERR, given.at("plates"),
-               "Fix pore/pressure solver network fills periodic cells: between plates use solver "
-               "grid or cg");
+  if (given.count("plates") && given.count("gradient"))
+    error->all(
+        FLERR, given.at("gradient"),
+        "Fix pore/pressure solver network has no mean gradient between plates: use solver grid "
+        "or cg");
   if (domain->dimension == 2)
     error->all(FLERR, given.at("solver"),
                "Fix pore/pressure solver network has no pores between discs; use solver grid with "

@@ -14,7 +14,6 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_pore_pressure_settings.h"
-#include "force.h"
 #include "suspension_host.h"
 
 #include <algorithm>
@@ -35,7 +34,7 @@ const char *const PoreNetwork::NO_LIBRARY =
 PoreNetwork::PoreNetwork(LAMMPS *lmp) :
     PoreSolver(lmp), tessellation(lmp, "Fix pore/pressure solver network"),
     alpha(0.0), box{}, edges{}, solid(0.0), flips(false), attempt(0), is_known(false),
-    mean_velocity(0.0)
+    mean_velocity(0.0), has_plates(false), drains{}
 {
 }
 
@@ -47,6 +46,9 @@ void PoreNetwork::init()
 int PoreNetwork::prepare(const PoreSettings &settings, const std::array<double, 3> &, double)
 {
   alpha = settings.alpha;
+  has_plates = !settings.plates.empty();
+  drains[0] = settings.lower == Pore_NS::Wall::DRAINED;
+  drains[1] = settings.upper == Pore_NS::Wall::DRAINED;
   return 1;
 }
 
@@ -77,13 +79,13 @@ void PoreNetwork::gather_rows(double *rows, std::size_t number, int width) const
 /* ---------------------------------------------------------------------- */
 
 void PoreNetwork::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &fluid,
-                          const Plates &, bool /*anew*/)
+                          const Plates &plates, bool /*anew*/)
 {
   const Pore_NS::CellEdges before = edges;
   box = cell;
   edges = {{{cell.xprd, 0.0, 0.0}, {cell.xy, cell.yprd, 0.0}, {cell.xz, cell.yz, cell.zprd}}};
-  gather_particles(groupbits);
-  follow_flip(before);
+  gather_particles(groupbits, plates);
+  if (!has_plates) follow_flip(before);
   nudge();
   if (has_changed()) triangulate();
   shape(fluid);
@@ -121,8 +123,6 @@ void PoreNetwork::shape(const Fluid &fluid)
     seen.k_min = MIN(seen.k_min, factor * throats[2 * n + 1]);
     seen.k_max = MAX(seen.k_max, factor * throats[2 * n + 1]);
   }
-  seen.explicit_step = network_explicit_step(net, flow, inverse_mass);
-
   seen.outside = fluid;
   rises.resize(links);
   pull.assign(x.size(), Vec3());
@@ -133,18 +133,15 @@ void PoreNetwork::shape(const Fluid &fluid)
     for (const Pore_NS::Corner &c : facet_opposite(net.pores[link.pore[0]], link.opposite[0]))
       pull[c.particle] = pull[c.particle] + third;
   }
-}
-
-double PoreNetwork::pore_volume(std::size_t i) const
-{
-  return fabs(flow.shape[i].volume);
+  if (has_plates) shape_hull(fluid, factor);
+  seen.explicit_step = network_explicit_step(net, flow, inverse_mass);
 }
 
 /* ----------------------------------------------------------------------
    velocities relative to the deforming cell, at the end of the step but for the pressure
 ------------------------------------------------------------------------- */
 
-void PoreNetwork::advance(double dt, const Fluid &fluid, const Plates &)
+void PoreNetwork::advance(double dt, const Fluid &fluid, const Plates &plates)
 {
   const double step = fluid.coupling == Coupling::IMPLICIT ? dt : 0.0;
   const Suspension_NS::CellFlow flow_of_cell(domain);
@@ -157,6 +154,16 @@ void PoreNetwork::advance(double dt, const Fluid &fluid, const Plates &)
   for (std::size_t k = 0; k < x.size(); k++)
     v[k] = Lubcontact_NS::get_vector(&velocities[3 * k]) + (step * inverse_mass[k]) * pull[k];
 
+  if (has_plates) {
+    Vec3 push;
+    for (std::size_t k = 0; k < x.size(); k++)
+      if (body[k] == UPPER) push = push + pull[k];
+    const Vec3 upper =
+        plates.velocity + step * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
+    for (std::size_t k = 0; k < x.size(); k++)
+      if (body[k] != FREE) v[k] = body[k] == UPPER ? upper : Vec3();
+  }
+
   const double storage = fluid.storage / dt;
   std::vector<double> rhs(net.pores.size());
   for (std::size_t i = 0; i < rhs.size(); i++)
@@ -165,25 +172,36 @@ void PoreNetwork::advance(double dt, const Fluid &fluid, const Plates &)
     rhs[net.links[n].pore[0]] += flow.g[n] * rises[n];
     rhs[net.links[n].pore[1]] -= flow.g[n] * rises[n];
   }
-  solve(step, storage, rhs, fluid.tolerance);
+  for (const Hull &facet : hull)
+    rhs[facet.pore] += facet.conductance * (facet.plate == UPPER ? fluid.upper : fluid.lower);
+  solve(step, storage, rhs, fluid.tolerance, plates);
   is_known = true;
 }
 
 /* ----------------------------------------------------------------------
-   A p = rhs, from the pressure before; the mean over the cell is none
+   A p = rhs, from the pressure before; the mean over the cell is none, and that between closed
+   plates, too, unless the fluid is stored
 ------------------------------------------------------------------------- */
 
-void PoreNetwork::solve(double dt, double storage, const std::vector<double> &rhs, double tolerance)
+void PoreNetwork::solve(double dt, double storage, const std::vector<double> &rhs, double tolerance,
+                        const Plates &plates)
 {
   const auto [first, last] = share(rhs.size());
   const auto [begin, end] = share(x.size());
   const int from = first, to = last, head = begin, tail = end;
   const Pore_NS::ImplicitMatrix a = implicit_matrix(net, flow, dt, storage, inverse_mass);
   std::vector<Vec3> acceleration(x.size());
+  const bool moves = has_plates && (plates.response.x > 0.0 || plates.response.y > 0.0);
   auto apply = [&](const std::vector<double> &q, std::vector<double> &y) {
     if (dt > 0.0) {
       for (int k = head; k < tail; k++) acceleration[k] = acceleration_of(a, q, k);
       gather_rows(&acceleration[0].x, acceleration.size(), 3);
+      if (moves) {
+        const Vec3 push = on_upper(q);
+        const Vec3 upper = {plates.response.x * push.x, plates.response.y * push.y, 0.0};
+        for (std::size_t k = 0; k < x.size(); k++)
+          if (body[k] == UPPER) acceleration[k] = upper;
+      }
     }
     y.resize(q.size());
     for (int i = from; i < to; i++) y[i] = implicit_row(a, q, acceleration, i);
@@ -199,9 +217,10 @@ void PoreNetwork::solve(double dt, double storage, const std::vector<double> &rh
   };
   seen.convergence =
       Pore_NS::conjugate_gradients(apply, precondition, agree, rhs, tolerance, MOST_ITERATIONS, p);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < p.size(); i++) sum += flow.shape[i].volume * p[i];
-  for (double &value : p) value -= sum / volume();
+  if (!has_plates || (!drains[0] && !drains[1] && !(storage > 0.0))) {
+    const double mean = mean_pressure();
+    for (double &value : p) value -= mean;
+  }
   MPI_Bcast(p.data(), static_cast<int>(p.size()), MPI_DOUBLE, 0, world);    // to the last bit
 }
 
@@ -218,14 +237,33 @@ void PoreNetwork::add_forces(const Fluid &fluid, const Plates &)
     if (fluid.coupling != Coupling::OFF) Lubcontact_NS::add_vector(pushed[i], atom->f[i]);
   }
   MPI_Allreduce(mine, seen.total, 3, MPI_DOUBLE, MPI_SUM, world);
-  seen.given_mean = seen.mean = seen.lower = seen.upper = fluid.mean;
+  seen.given_mean = fluid.mean;
+  seen.mean = seen.lower = seen.upper = (has_plates ? mean_pressure() : 0.0) + fluid.mean;
+  if (has_plates) see_hull(fluid);
   seen.largest = 0.0;
   for (const double value : p) seen.largest = MAX(seen.largest, fabs(value + fluid.mean));
 }
 
+double PoreNetwork::mean_pressure() const
+{
+  double sum = 0.0, filled = 0.0;
+  for (std::size_t i = 0; i < p.size(); i++) {
+    sum += flow.shape[i].volume * p[i];
+    filled += flow.shape[i].volume;
+  }
+  return sum / filled;
+}
+
 double PoreNetwork::dissipation() const
 {
-  return net.pores.empty() ? 0.0 : network_dissipation(net, flow, p, rises);
+  if (net.pores.empty()) return 0.0;
+  double power = network_dissipation(net, flow, p, rises);
+  for (const Hull &facet : hull) {
+    const double drop =
+        p[facet.pore] - (facet.plate == UPPER ? seen.outside.upper : seen.outside.lower);
+    power += facet.conductance * drop * drop;
+  }
+  return power;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -64,6 +64,8 @@ class PoreNetwork : public PoreSolver {
   std::vector<Vec3> x;    // without jumps through the cell
   std::vector<Vec3> nudged;
   std::vector<double> radius, inverse_mass;
+  enum Body : char { FREE, LOWER, UPPER };    // the plates
+  std::vector<char> body;
   std::vector<int> index;    // of the atoms of this rank, where they are in those
   double solid;              // volume of the particles
 
@@ -83,7 +85,21 @@ class PoreNetwork : public PoreSolver {
   double mean_velocity;        // along y
   Report seen;
 
-  void gather_particles(int groupbits);
+  // facets on the plates
+  struct Hull {
+    int pore, corner;
+    Body plate;
+    double conductance;    // to the fluid outside, if it is drained
+    Vec3 area;             // outwards
+  };
+  bool has_plates, drains[2];    // lower, upper
+  std::vector<Hull> hull;
+
+  Pore_NS::Image nearest_image(const Pore_NS::CellEdges &, const Vec3 &) const;
+  Vec3 on_upper(const std::vector<double> &of_pressure) const;
+  void shape_hull(const Fluid &, double factor);
+  void see_hull(const Fluid &);
+  void gather_particles(int groupbits, const Plates &);
   std::vector<double> gather(int width,
                              const std::function<void(int i, double *values)> &pack) const;
   void gather_rows(double *rows, std::size_t number, int width) const;
@@ -95,8 +111,9 @@ class PoreNetwork : public PoreSolver {
   bool find_pores();
   std::array<double, 6> distances_of(const Pore_NS::Pore &) const;
   void shape(const Fluid &);
-  void solve(double dt, double storage, const std::vector<double> &rhs, double tolerance);
-  double pore_volume(std::size_t i) const;
+  void solve(double dt, double storage, const std::vector<double> &rhs, double tolerance,
+             const Plates &);
+  double mean_pressure() const;
 };
 
 }    // namespace LAMMPS_NS

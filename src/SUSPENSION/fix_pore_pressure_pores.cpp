@@ -35,16 +35,20 @@ static constexpr double KEEP = 0.01;
 
 // Displacements that break ties, over the radius: more than the 1e-11 to which Voro++ decides.
 static constexpr double NUDGE = 1e-6;
+// Tetrahedra between plates whose power center is farther outside than this, over the radius of the
+// outermost particle, are so flat that nothing is missing without them.
+static constexpr double OUTSIDE = 1.0;
+
 static constexpr int MOST_ATTEMPTS = 8;
 
 static constexpr std::size_t NUMBERS_OF_PORE = 16 + 1 + 6 + 1;
 
-// how many edges of the cell away d is
-static Image nearest_image(const Pore_NS::CellEdges &cell, const Vec3 &d)
+// how many edges of the cell away d is; between plates none along y
+Image PoreNetwork::nearest_image(const Pore_NS::CellEdges &cell, const Vec3 &d) const
 {
   const double nz = std::round(d.z / cell.edge[2].z);
   const Vec3 flat = d - nz * cell.edge[2];
-  const double ny = std::round(flat.y / cell.edge[1].y);
+  const double ny = has_plates ? 0.0 : std::round(flat.y / cell.edge[1].y);
   const double nx = std::round((flat.x - ny * cell.edge[1].x) / cell.edge[0].x);
   return {static_cast<int>(nx), static_cast<int>(ny), static_cast<int>(nz)};
 }
@@ -85,9 +89,9 @@ PoreNetwork::gather(int width, const std::function<void(int i, double *values)> 
    Others than before: their pores are new. Those that have passed through the cell go on outside.
 ------------------------------------------------------------------------- */
 
-void PoreNetwork::gather_particles(int groupbits)
+void PoreNetwork::gather_particles(int groupbits, const Plates &plates)
 {
-  static constexpr int STRIDE = 6;
+  static constexpr int STRIDE = 7;
   int apart = 0, all_apart;
   for (int i = 0; i < atom->nlocal; i++) apart += (atom->mask[i] & groupbits) == 0;
   MPI_Allreduce(&apart, &all_apart, 1, MPI_INT, MPI_SUM, world);
@@ -98,10 +102,15 @@ void PoreNetwork::gather_particles(int groupbits)
                all_apart);
 
   std::vector<double> mine;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (const double value : {static_cast<double>(atom->tag[i]), atom->x[i][0], atom->x[i][1],
-                               atom->x[i][2], atom->radius[i], force->ftm2v / atom->rmass[i]})
+  for (int i = 0; i < atom->nlocal; i++) {
+    const Body part = atom->mask[i] & plates.lower_bit ? LOWER
+        : atom->mask[i] & plates.upper_bit             ? UPPER
+                                                       : FREE;
+    for (const double value :
+         {static_cast<double>(atom->tag[i]), atom->x[i][0], atom->x[i][1], atom->x[i][2],
+          atom->radius[i], force->ftm2v / atom->rmass[i], static_cast<double>(part)})
       mine.push_back(value);
+  }
   const std::vector<double> all = gather_all(world, comm->nprocs, mine);
   const std::size_t number = all.size() / STRIDE;
   std::vector<std::size_t> order(number);
@@ -121,14 +130,16 @@ void PoreNetwork::gather_particles(int groupbits)
   x.resize(number);
   radius.resize(number);
   inverse_mass.resize(number);
+  body.resize(number);
   solid = 0.0;
   for (std::size_t k = 0; k < number; k++) {
     const double *values = &all[order[k] * STRIDE];
     const Vec3 here = Lubcontact_NS::get_vector(values + 1);
     x[k] = same ? here + shift(edges, nearest_image(edges, x[k] - here)) : here;
     radius[k] = values[4];
-    inverse_mass[k] = values[5];
-    solid += Suspension_NS::particle_volume(domain, radius[k]);
+    body[k] = static_cast<char>(values[6]);
+    inverse_mass[k] = body[k] == FREE ? values[5] : 0.0;    // plates move as a whole
+    if (body[k] == FREE) solid += Suspension_NS::particle_volume(domain, radius[k]);
   }
   index.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++)
@@ -245,12 +256,16 @@ void PoreNetwork::triangulate()
 bool PoreNetwork::find_pores()
 {
   const int nall = atom->nlocal + atom->nghost;
-  std::vector<Vec3> displaced(nall);
+  RadicalTessellation::Displaced displaced = {std::vector<Vec3>(nall), HUGE_VAL, -HUGE_VAL};
+  for (std::size_t k = 0; k < x.size(); k++) {
+    displaced.lowest = std::fmin(displaced.lowest, x[k].y - OUTSIDE * radius[k]);
+    displaced.highest = std::fmax(displaced.highest, x[k].y + OUTSIDE * radius[k]);
+  }
   std::vector<Pore_NS::Corner> corner(nall);
   for (int j = 0; j < nall; j++) {
     const auto found = std::lower_bound(tags.begin(), tags.end(), atom->tag[j]);
     const int k = static_cast<int>(found - tags.begin());
-    displaced[j] = nudged[k] - x[k];
+    displaced.by[j] = nudged[k] - x[k];
     corner[j] = {k, nearest_image(edges, Lubcontact_NS::get_vector(atom->x[j]) - x[k])};
   }
 
@@ -285,9 +300,10 @@ bool PoreNetwork::find_pores()
   pores.erase(std::unique(pores.begin(), pores.end()), pores.end());
 
   const double found = 4.0 * static_cast<double>(pores.size());
-  if (connect(pores, static_cast<int>(x.size()), net) > 0 || all_counts[0] != found ||
-      all_counts[1] > 0.0)
-    return false;
+  const int open = connect(pores, static_cast<int>(x.size()), net);
+  if (all_counts[0] != found || all_counts[1] > 0.0) return false;
+  if (has_plates) return open > 0;
+  if (open > 0) return false;
   double filled = 0.0;
   for (const Pore &pore : net.pores) filled += fabs(shape_of(pore, 1.0, nudged, edges).volume);
   static constexpr double ROUNDING = 1e-9;
@@ -321,7 +337,7 @@ PoreSolver::State PoreNetwork::state() const
   return s;
 }
 
-void PoreNetwork::restore(const State &s, const PoreSettings &)
+void PoreNetwork::restore(const State &s, const PoreSettings &settings)
 {
   if (s.head[0] != -1.0) return;    // of a grid
   const auto particles = static_cast<std::size_t>(s.head[1]),
@@ -353,7 +369,8 @@ void PoreNetwork::restore(const State &s, const PoreSettings &)
     p[i] = value[6];
     value += 7;
   }
-  is_known = connect(saved, static_cast<int>(particles), net) == 0;
+  const int open = connect(saved, static_cast<int>(particles), net);
+  is_known = settings.plates.empty() ? open == 0 : open > 0;
 }
 
 /* ---------------------------------------------------------------------- */

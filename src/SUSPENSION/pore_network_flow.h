@@ -76,6 +76,26 @@ inline double height_of(const Tetrahedron &t, int corner, const Vec3 &center)
   return std::copysign(dot(normal, center - a) / norm(normal), side * dot(normal, center - a));
 }
 
+// On a hull: from the power center to the facet; as if it were on the inner side.
+inline Throat hull_throat(const Pore &pore, int corner, const std::vector<Vec3> &x,
+                          const std::vector<double> &radius, const CellEdges &cell,
+                          const Vec3 &center)
+{
+  Facet f;
+  const auto corners = facet_opposite(pore, corner);
+  for (int n = 0; n < 3; n++) {
+    f.corner[n] = x[corners[n].particle] + shift(cell, corners[n].image);
+    f.radius[n] = radius[corners[n].particle];
+  }
+  const Vec3 normal = cross(f.corner[1] - f.corner[0], f.corner[2] - f.corner[0]);
+  const double out = dot(normal, center - f.corner[0]) / dot(normal, normal);
+  f.center[0] = center;
+  f.center[1] = center - out * normal;
+  f.height[0] = std::fabs(out) * norm(normal);
+  f.height[1] = 0.0;
+  return make_throat(f);
+}
+
 inline Throat throat_of(const Network &net, const Link &link, const std::vector<Vec3> &x,
                         const std::vector<double> &radius, const CellEdges &cell,
                         const std::vector<Vec3> &centers)
@@ -95,14 +115,19 @@ inline Throat throat_of(const Network &net, const Link &link, const std::vector<
   return make_throat(f);
 }
 
-// length^3, over the viscosity
-inline double conductance_of(const Network &net, const Link &link, const Throat &throat,
+// length^3, over the viscosity: of a throat through the facet opposite to a corner
+inline double conductance_of(const Throat &throat, const Pore &pore, int corner,
                              const std::vector<double> &radius)
 {
   double sum = 0.0;
-  for (const Corner &c : facet_opposite(net.pores[link.pore[0]], link.opposite[0]))
-    sum += radius[c.particle];
+  for (const Corner &c : facet_opposite(pore, corner)) sum += radius[c.particle];
   return conductance(throat, sum / 3.0);
+}
+
+inline double conductance_of(const Network &net, const Link &link, const Throat &throat,
+                             const std::vector<double> &radius)
+{
+  return conductance_of(throat, net.pores[link.pore[0]], link.opposite[0], radius);
 }
 
 // ---- the matrices, row by row
@@ -110,6 +135,7 @@ inline double conductance_of(const Network &net, const Link &link, const Throat 
 struct Flow {
   std::vector<PoreShape> shape;    // of each pore
   std::vector<double> g;           // conductance of each link: volume/time over pressure
+  std::vector<double> drain;       // of each pore to the fluid outside; empty: there is none
 };
 
 // pressure at the other end of a link, seen from a pore
@@ -122,8 +148,9 @@ inline int beyond(const Link &link, int pore)
 inline double outflow(const Network &net, const Flow &flow, const std::vector<double> &p, int i)
 {
   double sum = 0.0;
-  for (const int n : net.link_of[i]) sum += flow.g[n] * (p[i] - p[beyond(net.links[n], i)]);
-  return sum;
+  for (const int n : net.link_of[i])
+    if (n >= 0) sum += flow.g[n] * (p[i] - p[beyond(net.links[n], i)]);
+  return sum + (flow.drain.empty() ? 0.0 : flow.drain[i] * p[i]);
 }
 
 // (D v)_i
@@ -149,7 +176,7 @@ struct ImplicitMatrix {
     std::array<int, 4> neighbor, particle;
     std::array<double, 4> g;
     std::array<Vec3, 4> gradient;
-    double stored, diagonal;
+    double stored, diagonal;    // the former with what leaves to the outside
   };
   struct Entry {
     int pore;
@@ -169,12 +196,13 @@ inline ImplicitMatrix implicit_matrix(const Network &net, const Flow &flow, doub
   a.rows.resize(net.pores.size());
   for (int i = 0; i < static_cast<int>(net.pores.size()); i++) {
     ImplicitMatrix::Row &row = a.rows[i];
-    row.stored = row.diagonal = storage * flow.shape[i].volume;
+    row.stored = storage * flow.shape[i].volume + (flow.drain.empty() ? 0.0 : flow.drain[i]);
+    row.diagonal = row.stored;
     row.gradient = flow.shape[i].gradient;
     for (int n = 0; n < 4; n++) {
       const int link = net.link_of[i][n];
-      row.neighbor[n] = beyond(net.links[link], i);
-      row.g[n] = flow.g[link];
+      row.neighbor[n] = link < 0 ? i : beyond(net.links[link], i);
+      row.g[n] = link < 0 ? 0.0 : flow.g[link];
       row.particle[n] = net.pores[i][n].particle;
       row.diagonal +=
           row.g[n] + dt * inverse_mass[row.particle[n]] * dot(row.gradient[n], row.gradient[n]);
@@ -219,10 +247,16 @@ inline double rise_of(const Link &link, const std::vector<Vec3> &centers, const 
   return dot(gradient, centers[link.pore[1]] + shift(cell, link.image) - centers[link.pore[0]]);
 }
 
-// area of the facet of a link, from its first pore into its second
+// area of the facet opposite to a corner, out of the pore
+inline Vec3 area_of(const PoreShape &shape, int corner)
+{
+  return -3.0 * shape.gradient[corner];
+}
+
+// of the facet of a link, from its first pore into its second
 inline Vec3 area_of(const Flow &flow, const Link &link)
 {
-  return -3.0 * flow.shape[link.pore[0]].gradient[link.opposite[0]];
+  return area_of(flow.shape[link.pore[0]], link.opposite[0]);
 }
 
 // ---- what there is to know

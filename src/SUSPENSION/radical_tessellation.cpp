@@ -43,6 +43,7 @@ const char *const RadicalTessellation::NO_LIBRARY =
 #include "domain.h"
 #include "lubcontact_vec3.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -73,8 +74,9 @@ class Surroundings : protected Pointers {
   double reach;         // distance from any owned atom in which all are known
 
   double missing(const Vec3 &x, double distance) const;
-  bool cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit) const;
-  void bounds(double *lo, double *hi) const;
+  bool cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit,
+                         const RadicalTessellation::Displaced *) const;
+  void bounds(double *lo, double *hi, const RadicalTessellation::Displaced *) const;
 
  private:
   Vec3 gradient[3];     // of the box coordinates 0..1
@@ -125,16 +127,22 @@ double Surroundings::missing(const Vec3 &x, double distance) const
 }
 
 /* ----------------------------------------------------------------------
-   boundaries that are not periodic end all cells; false if nothing is left of this one
+   boundaries that are not periodic, or the planes given, end all cells; false if nothing is left of
+   this one
 ------------------------------------------------------------------------- */
 
-bool Surroundings::cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit) const
+bool Surroundings::cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit,
+                                     const RadicalTessellation::Displaced *displaced) const
 {
   for (int d = 0; d < domain->dimension; d++) {
     if (domain->periodicity[d]) continue;
     const Vec3 up = (1.0 / inverse[d]) * gradient[d];
-    const double above = box_coordinate(d, x) / inverse[d] / unit;
-    const double below = 1.0 / inverse[d] / unit - above;
+    double above = box_coordinate(d, x) / inverse[d] / unit;
+    double below = 1.0 / inverse[d] / unit - above;
+    if (displaced && d == 1) {
+      above = (x.y - displaced->lowest) / unit;
+      below = (displaced->highest - x.y) / unit;
+    }
     if (!cell.nplane(up.x, up.y, up.z, 2.0 * below, -10) ||
         !cell.nplane(-up.x, -up.y, -up.z, 2.0 * above, -10))
       return false;
@@ -147,7 +155,8 @@ bool Surroundings::cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit)
    and found to be unsure, and all particles
 ------------------------------------------------------------------------- */
 
-void Surroundings::bounds(double *lo, double *hi) const
+void Surroundings::bounds(double *lo, double *hi,
+                          const RadicalTessellation::Displaced *displaced) const
 {
   double range[3][2];    // box coordinates; beyond a wall there is nothing
   for (int d = 0; d < 3; d++) {
@@ -170,23 +179,30 @@ void Surroundings::bounds(double *lo, double *hi) const
     include(x);
   }
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) include(atom->x[i]);
+  if (displaced && !domain->periodicity[1]) {
+    lo[1] = std::fmin(lo[1], displaced->lowest);
+    hi[1] = std::fmax(hi[1], displaced->highest);
+  }
 }
 
 // Cells of the owned atoms, in units of the largest radius because Voro++ has absolute tolerances.
 // In 2d a slab as thick as this unit, so that the area of a face is its length.
 class Cells : protected Pointers {
  public:
-  Cells(LAMMPS *lmp, const std::vector<Vec3> *displaced);
+  Cells(LAMMPS *lmp, const RadicalTessellation::Displaced *displaced);
   // calls shared(i, cell) for each owned atom that has a cell
   template <class F> void each_cell(const F &shared);
   double face_missing(int i, int j, const std::vector<double> &points,
                       const std::vector<int> &corners) const;
   bool is_sure(VoroCell &cell) const;
-  double vertices_missing(int i, const std::vector<double> &points) const;
+  double vertex_missing(int i, const double *point) const
+  {
+    return missing(i, unit * Lubcontact_NS::get_vector(point));
+  }
 
  private:
   Surroundings surroundings;
-  const std::vector<Vec3> *displaced;
+  const RadicalTessellation::Displaced *displaced;
   double unit;
   Vec3 middle;
   std::unique_ptr<voro::container_poly> container;
@@ -194,19 +210,19 @@ class Cells : protected Pointers {
   Vec3 position(int i) const
   {
     const Vec3 x = {atom->x[i][0], atom->x[i][1], domain->dimension == 3 ? atom->x[i][2] : 0.0};
-    return displaced ? x + (*displaced)[i] : x;
+    return displaced ? x + displaced->by[i] : x;
   }
   double missing(int i, const Vec3 &q) const;
 };
 
-Cells::Cells(LAMMPS *lmp, const std::vector<Vec3> *displaced) :
+Cells::Cells(LAMMPS *lmp, const RadicalTessellation::Displaced *displaced) :
     Pointers(lmp), surroundings(lmp), displaced(displaced), unit(surroundings.radius_max),
     owned(MAX(atom->nlocal, 1))
 {
   const int nall = atom->nlocal + atom->nghost;
   const bool flat = domain->dimension == 2;
   double lo[3], hi[3], size[3];
-  surroundings.bounds(lo, hi);
+  surroundings.bounds(lo, hi, displaced);
   middle = {0.5 * (lo[0] + hi[0]), 0.5 * (lo[1] + hi[1]), flat ? 0.0 : 0.5 * (lo[2] + hi[2])};
   for (int d = 0; d < 3; d++) size[d] = (hi[d] - lo[d]) / unit + 2.0;
   if (flat) size[2] = 1.0;
@@ -234,7 +250,7 @@ template <class F> void Cells::each_cell(const F &shared)
   do {
     const int i = loop.pid();
     if (!container->compute_cell(cell, loop)) continue;    // swallowed by an overlapping one
-    if (surroundings.cut_at_boundaries(cell, position(i), unit)) shared(i, cell);
+    if (surroundings.cut_at_boundaries(cell, position(i), unit, displaced)) shared(i, cell);
   } while (loop.inc());
 }
 
@@ -257,14 +273,6 @@ bool Cells::is_sure(VoroCell &cell) const
   const double farthest = 0.5 * unit * sqrt(cell.max_radius_squared());    // twice, in Voro++
   const double most = surroundings.radius_max;
   return farthest + sqrt(farthest * farthest + most * most) < surroundings.reach;
-}
-
-double Cells::vertices_missing(int i, const std::vector<double> &points) const
-{
-  double most = -HUGE_VAL;
-  for (std::size_t n = 0; n < points.size(); n += 3)
-    most = std::fmax(most, missing(i, unit * Vec3{points[n], points[n + 1], points[n + 2]}));
-  return most;
 }
 
 /* ----------------------------------------------------------------------
@@ -325,7 +333,7 @@ void RadicalTessellation::request_ghosts(double largest_radius)
 /* ---------------------------------------------------------------------- */
 
 void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &visit,
-                                    const std::vector<Vec3> *displaced) const
+                                    const RadicalTessellation::Displaced *displaced) const
 {
   if (atom->nlocal == 0) return;
   Cells cells(lmp, displaced);
@@ -356,17 +364,19 @@ void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &vis
                    1.1 * (comm->get_comm_cutoff() + missing));
     };
     cell.get_vertices = [&, i, sure](std::vector<std::array<int, 3>> &vertices) {
-      const double missing = sure ? 0.0 : cells.vertices_missing(i, points);
-      if (missing > 0.0)
-        error->one(FLERR,
-                   "{} cannot tell which pores atom {} has: there are voids, and ghost atoms reach "
-                   "{:.6g} only; use: comm_modify cutoff {:.4g}",
-                   who, atom->tag[i], comm->get_comm_cutoff(),
-                   1.1 * (comm->get_comm_cutoff() + missing));
       vertices.clear();
       for (int n = 0; n < found.p; n++) {
+        const int *others = found.ne[n];
+        if (*std::min_element(others, others + found.nu[n]) < 0) continue;
         if (found.nu[n] != 3) return false;
-        vertices.push_back({found.ne[n][0], found.ne[n][1], found.ne[n][2]});
+        const double missing = sure ? 0.0 : cells.vertex_missing(i, &points[3 * n]);
+        if (missing > 0.0)
+          error->one(FLERR,
+                     "{} cannot tell which pores atom {} has: there are voids, and ghost atoms "
+                     "reach {:.6g} only; use: comm_modify cutoff {:.4g}",
+                     who, atom->tag[i], comm->get_comm_cutoff(),
+                     1.1 * (comm->get_comm_cutoff() + missing));
+        vertices.push_back({others[0], others[1], others[2]});
       }
       return true;
     };

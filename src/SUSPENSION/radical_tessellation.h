@@ -67,13 +67,19 @@ class RadicalTessellation : protected Pointers {
     std::vector<int> neighbors;
     std::vector<double> areas;
     std::function<void(std::size_t)> require_sure;    // of face n
-    // The three neighbors that meet at each vertex: with the owner, a tetrahedron of the dual.
+    // The three neighbors that meet at each vertex inside: with the owner, a tetrahedron of the dual.
     // False if more than three do, a tie. Vertices that ghosts do not decide are errors.
     std::function<bool(std::vector<std::array<int, 3>> &)> get_vertices;
   };
-  // of the owned atoms; all atoms, ghosts too, may be displaced to break ties
+  // For tetrahedra all atoms, ghosts too, are displaced to break ties, and where y is not periodic
+  // cells end at two planes, the same on all ranks.
+  struct Displaced {
+    std::vector<Lubcontact_NS::Vec3> by;
+    double lowest, highest;    // y of the planes
+  };
+  // of the owned atoms
   void each_cell(const std::function<void(const Cell &)> &,
-                 const std::vector<Lubcontact_NS::Vec3> *displaced = nullptr) const;
+                 const Displaced *displaced = nullptr) const;
 
   void mark_faces(const NeighList *, FaceFlags &) const;
 

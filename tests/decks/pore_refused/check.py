@@ -41,7 +41,7 @@ CASES = [    # lines in place of the fix, message, underlined word or None, boun
     (F + " solver network permeability kozeny", "has its permeability from its pores; remove it", "permeability"),
     (F + " phi_min 0.2 solver network", "phi_min is that of a grid", "phi_min"),
     (F + " solver network every 3", "every is that of a grid", "every"),
-    (F + OPEN + " solver network", "fills periodic cells: between plates use solver grid or cg", "plates"),
+    (F + OPEN + " solver network gradient 0 1 0", "no mean gradient between plates: use solver grid or cg", "gradient"),
     (F + " solver network", "2 are not in its group: use group all, or solver grid", None),
     (F + " spacing", "missing argument: h", None),
     (F + " spacing 0", "spacing must be > 0, but is 0", "0"),
