@@ -175,7 +175,7 @@ for walls, motion in (("open", "rate 1 pressure 5"), ("below closed", "stress 10
     out = OUTSIDE * area * {"open": 0, "closed": 0, "below closed": -1, "above closed": 1}[walls]
     for name, force in (("fx", 0), ("fy", out), ("fz", 0)):
         deck.expect_close(f"{walls}: {name} of all", t[name], force, atol=1e-12 * size)
-    flux = t["f_pore[5]"] + t["f_pore[6]"]
+    flux = t["flux_low"] + t["flux_up"]
     speed = t["f_cell[5]"]
     late = range(2, 61)
     if walls in ("open", "closed"):
@@ -183,7 +183,7 @@ for walls, motion in (("open", "rate 1 pressure 5"), ("below closed", "stress 10
     else:    # the velocity is that in the middle of the step, by the forces of the pressure, too
         deck.expect_close(f"{walls}: what leaves is what the plate takes", np.mean(flux[late]), -np.mean(speed[late]), rtol=0.05)
     if walls in ("open", "above closed"):
-        deck.expect_close(f"{walls}: pressure of the drained plate", t["f_pore[1]"], OUTSIDE, rtol=1e-14)
+        deck.expect_close(f"{walls}: pressure of the drained plate", t["lower"], OUTSIDE, rtol=1e-14)
     one = sheared(walls, motion, steps=60, ranks=1 if not SINGLE else 2)
     for name in ("largest", "heat", "KinEng"):
         deck.expect_close(f"{walls}, other ranks: {name}", one[name], t[name], atol=1e-10 * np.max(np.abs(t[name])))
