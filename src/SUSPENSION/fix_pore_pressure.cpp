@@ -13,7 +13,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_pore_pressure_field.h"
 #include "fix_pore_pressure_settings.h"
 #include "fix_rheometer_plates.h"
 #include "force.h"
@@ -39,15 +38,12 @@ FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
     resistance(0.0), even_k(0.0)
 {
   parse(narg, arg);
-  if (!settings->even && !PoreField::has_library())
-    error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
-  field = std::make_unique<PoreField>(lmp);
   scalar_flag = 0;
   vector_flag = 1;
   size_vector = Output::NUM;
   array_flag = 1;
   size_array_rows = MAX(settings->elements[1], 1);
-  size_array_rows_variable = settings->elements[1] == 0;
+  size_array_rows_variable = settings->elements[1] == 0 && !settings->network;
   size_array_cols = Output::NUM_COLUMNS;
   extvector = extarray = 0;
   peratom_flag = 1;

@@ -18,6 +18,7 @@ FixStyle(pore/pressure,FixPorePressure);
 
 #include "fix.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ class FixRheometerPlates;
 class PoreSolver;
 
 // Pressure of the fluid between the particles, which must flow when they dilate or settle: Darcy's
-// law on a grid, and its forces on particles and plates.
+// law on a grid or in a network of pores, and its forces on particles and plates.
 class FixPorePressure : public Fix {
  public:
   FixPorePressure(class LAMMPS *, int, char **);
@@ -95,6 +96,8 @@ class FixPorePressure : public Fix {
 
   void parse(int, char **);
   int parse_keyword(int, int, char **);
+  void make_solver(const std::map<std::string, int> &given);
+  void check_even(const std::map<std::string, int> &) const;
   void check_order() const;
   void check_others() const;
   void check_plates() const;

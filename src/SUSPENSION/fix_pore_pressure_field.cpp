@@ -223,7 +223,7 @@ void PoreField::predict_motion(double dt, const Fluid &fluid, const Plates &plat
     upper = upper + dt * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
   }
   // weights and pressures of the last step have made the same forces
-  const bool known = !fresh && age > 0 && is_same_outside(fluid, outside);
+  const bool known = !fresh && age > 0 && is_same_outside(fluid, seen.outside);
   if (dt > 0.0 && !known)
     Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, of_pores);
   const Suspension_NS::CellFlow cell(domain);

@@ -37,6 +37,7 @@ class PoreField : public PoreSolver {
   int prepare(const PoreSettings &, const std::array<double, 3> &, double) override;
   bool has_pressure() const override { return age > 0; }
   void flipped() override { age = 0; }    // nodes are not mapped onto nodes
+  // unless anew, particles keep the weights that they have in lattice coordinates
   void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &,
                bool anew) override;
   // the first pressures are iterated to the tolerance, and all where asked
@@ -81,7 +82,6 @@ class PoreField : public PoreSolver {
   std::vector<Lubcontact_NS::Vec3> pushed;    // all forces of the pressure, by local index
   std::unique_ptr<struct PoreTransforms> transforms;
   Report seen;
-  Fluid outside;    // that has made the forces
 
   Lubcontact_NS::Vec3 force_on_plate(const Pore_NS::Field &of_pressure,
                                      const std::vector<Pore_NS::Lanes> &gradient,

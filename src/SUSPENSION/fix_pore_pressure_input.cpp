@@ -35,7 +35,8 @@ using Suspension_NS::require_words;
 
 // values of each keyword
 static const std::map<std::string, std::string> KEYWORDS = {
-    {"solver", "grid|cg|mean"},
+    {"solver", "grid|cg|network|mean"},
+    {"alpha", "auto|a"},
     {"spacing", "h"},
     {"grid", "nx ny nz"},
     {"permeability", "beetstra|kozeny|constant ..."},
@@ -90,26 +91,8 @@ void FixPorePressure::parse(int narg, char **arg)
         FLERR, given["mean"],
         "Fix pore/pressure mean undrained needs a fluid that can be compressed; add: storage "
         "S");
-  if (!settings->even) return;
-  for (const char *key : {"spacing", "grid", "tolerance", "pressure", "gradient", "every"})
-    if (given.count(key))
-      error->all(FLERR, given[key],
-                 "Fix pore/pressure solver mean has no pressure in space: {} cannot act; remove it",
-                 key);
-  if (given.count("storage") && settings->mean != PoreSettings::UNDRAINED)
-    error->all(FLERR, given["storage"],
-               "Fix pore/pressure solver mean follows the motion at once: storage cannot act; "
-               "remove it, or use a cell with mean undrained");
-  if (settings->coupling == PoreSolver::Coupling::EXPLICIT)
-    error->all(
-        FLERR, given["coupling"],
-        "Fix pore/pressure solver mean is a dashpot, which has no explicit form: use coupling "
-        "implicit");
-  if (settings->plates.empty() && settings->mean == PoreSettings::DRAINED)
-    error->all(
-        FLERR, given["solver"],
-        "Fix pore/pressure solver mean has nothing to do in a cell that is drained: add mean "
-        "layer H, or mean undrained with a storage");
+  make_solver(given);
+  if (settings->even) check_even(given);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -154,9 +137,12 @@ int FixPorePressure::parse_keyword(int iarg, int narg, char **arg)
                utils::join_words(words, " "), arg[at]);
   };
   if (key == "solver") {
-    const int which = choose(iarg + 1, {"grid", "cg", "mean"});
+    const int which = choose(iarg + 1, {"grid", "cg", "network", "mean"});
     s.iterate = which == 1;
-    s.even = which == 2;
+    s.network = which == 2;
+    s.even = which == 3;
+  } else if (key == "alpha") {
+    if (strcmp(arg[iarg + 1], "auto") != 0) s.alpha = positive(iarg + 1);
   } else if (key == "spacing") {
     s.spacing = positive(iarg + 1);
   } else if (key == "grid") {
@@ -245,6 +231,7 @@ void FixPorePressure::init()
   check_others();
   if (!settings->even) check_order();
   find_flow();
+  field->init();
 
   plates = nullptr;
   if (!settings->plates.empty()) {

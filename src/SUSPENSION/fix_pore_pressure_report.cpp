@@ -24,8 +24,7 @@ using Pore_NS::Motion;
 
 void PoreField::see(const Fluid &fluid)
 {
-  outside = fluid;
-  seen.gradient = fluid.gradient;
+  seen.outside = fluid;
   seen.given_mean = fluid.mean;
   seen.mean = mean_pressure(lattice, p) + fluid.mean;
   seen.largest = 0.0;
@@ -45,7 +44,9 @@ void PoreField::see(const Fluid &fluid)
 
 double PoreField::dissipation() const
 {
-  return elements.empty() ? 0.0 : Pore_NS::dissipation(lattice, matrix, mobility, seen.gradient, p);
+  return elements.empty()
+      ? 0.0
+      : Pore_NS::dissipation(lattice, matrix, mobility, seen.outside.gradient, p);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -72,8 +73,8 @@ void PoreField::measure_flow(const Vec3 &upper_plate)
   measured = true;
   of_deposit.velocity = upper_plate;
   predict_motion(0.0, {}, of_deposit);
-  const Pore_NS::WallFlux flux =
-      wall_flux(lattice, imbalance(lattice, matrix, mobility, motion, wall, seen.gradient, p));
+  const Pore_NS::WallFlux flux = wall_flux(
+      lattice, imbalance(lattice, matrix, mobility, motion, wall, seen.outside.gradient, p));
   seen.flux = {flux.lower, flux.upper};
 }
 
@@ -83,7 +84,7 @@ std::vector<PoreField::Layer> PoreField::profile() const
 {
   std::vector<Layer> layers(lattice.ny);
   if (elements.empty()) return layers;
-  const std::vector<Lanes> gradient = gradients(lattice, p, seen.gradient);
+  const std::vector<Lanes> gradient = gradients(lattice, p, seen.outside.gradient);
   const int size = lattice.layer_size();
   for (int j = 0; j < lattice.ny; j++) {
     Layer &layer = layers[j];

@@ -37,8 +37,9 @@ struct PoreSettings {
   double layer = 0.0;     // height of Mean::LAYER
   Number gradient[3];     // mean one, LAMMPS' pressure over length
   PoreSolver::Coupling coupling = PoreSolver::Coupling::IMPLICIT;
-  bool iterate = false;
-  bool even = false;    // solver mean: a layer that dilates evenly, without a grid
+  bool network = false, iterate = false;
+  bool even = false;     // solver mean: a layer that dilates evenly, without a grid
+  double alpha = 0.0;    // factor of the conductances of a network; 0: auto
   double tolerance = 1e-8;
   int every = 20;    // steps that particles keep their weights
 

@@ -42,18 +42,14 @@ const char *const RadicalTessellation::NO_LIBRARY =
 #include "atom.h"
 #include "domain.h"
 #include "lubcontact_vec3.h"
-#include "neigh_list.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include <voro++/voro++.hh>
 
 using Lubcontact_NS::Vec3;
-
-// Smaller faces are none, so that ties of regular arrangements (Voro++ decides to 1e-11) do not
-// depend on the rounding of a rank. Over the largest radius squared; in 2d a length over it.
-static constexpr double LEAST_AREA = 1e-8;
 
 // Ghosts out to this distance decide the faces of dense suspensions. Over the largest radius.
 static constexpr double GHOST_DISTANCE = 5.0;
@@ -78,8 +74,9 @@ class Surroundings : protected Pointers {
   double reach;         // distance from any owned atom in which all are known
 
   double missing(const Vec3 &x, double distance) const;
-  bool cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit) const;
-  void bounds(double *lo, double *hi) const;
+  bool cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit,
+                         const RadicalTessellation::Displaced *) const;
+  void bounds(double *lo, double *hi, const RadicalTessellation::Displaced *) const;
 
  private:
   Vec3 gradient[3];     // of the box coordinates 0..1
@@ -130,16 +127,22 @@ double Surroundings::missing(const Vec3 &x, double distance) const
 }
 
 /* ----------------------------------------------------------------------
-   boundaries that are not periodic end all cells; false if nothing is left of this one
+   boundaries that are not periodic, or the planes given, end all cells; false if nothing is left of
+   this one
 ------------------------------------------------------------------------- */
 
-bool Surroundings::cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit) const
+bool Surroundings::cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit,
+                                     const RadicalTessellation::Displaced *displaced) const
 {
   for (int d = 0; d < domain->dimension; d++) {
     if (domain->periodicity[d]) continue;
     const Vec3 up = (1.0 / inverse[d]) * gradient[d];
-    const double above = box_coordinate(d, x) / inverse[d] / unit;
-    const double below = 1.0 / inverse[d] / unit - above;
+    double above = box_coordinate(d, x) / inverse[d] / unit;
+    double below = 1.0 / inverse[d] / unit - above;
+    if (displaced && d == 1) {
+      above = (x.y - displaced->lowest) / unit;
+      below = (displaced->highest - x.y) / unit;
+    }
     if (!cell.nplane(up.x, up.y, up.z, 2.0 * below, -10) ||
         !cell.nplane(-up.x, -up.y, -up.z, 2.0 * above, -10))
       return false;
@@ -152,7 +155,8 @@ bool Surroundings::cut_at_boundaries(VoroCell &cell, const Vec3 &x, double unit)
    and found to be unsure, and all particles
 ------------------------------------------------------------------------- */
 
-void Surroundings::bounds(double *lo, double *hi) const
+void Surroundings::bounds(double *lo, double *hi,
+                          const RadicalTessellation::Displaced *displaced) const
 {
   double range[3][2];    // box coordinates; beyond a wall there is nothing
   for (int d = 0; d < 3; d++) {
@@ -175,39 +179,50 @@ void Surroundings::bounds(double *lo, double *hi) const
     include(x);
   }
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) include(atom->x[i]);
+  if (displaced && !domain->periodicity[1]) {
+    lo[1] = std::fmin(lo[1], displaced->lowest);
+    hi[1] = std::fmax(hi[1], displaced->highest);
+  }
 }
 
 // Cells of the owned atoms, in units of the largest radius because Voro++ has absolute tolerances.
 // In 2d a slab as thick as this unit, so that the area of a face is its length.
 class Cells : protected Pointers {
  public:
-  explicit Cells(LAMMPS *lmp);
+  Cells(LAMMPS *lmp, const RadicalTessellation::Displaced *displaced);
   // calls shared(i, cell) for each owned atom that has a cell
   template <class F> void each_cell(const F &shared);
   double face_missing(int i, int j, const std::vector<double> &points,
                       const std::vector<int> &corners) const;
   bool is_sure(VoroCell &cell) const;
+  double vertex_missing(int i, const double *point) const
+  {
+    return missing(i, unit * Lubcontact_NS::get_vector(point));
+  }
 
  private:
   Surroundings surroundings;
+  const RadicalTessellation::Displaced *displaced;
   double unit;
   Vec3 middle;
   std::unique_ptr<voro::container_poly> container;
   voro::particle_order owned;
   Vec3 position(int i) const
   {
-    return {atom->x[i][0], atom->x[i][1], domain->dimension == 3 ? atom->x[i][2] : 0.0};
+    const Vec3 x = {atom->x[i][0], atom->x[i][1], domain->dimension == 3 ? atom->x[i][2] : 0.0};
+    return displaced ? x + displaced->by[i] : x;
   }
   double missing(int i, const Vec3 &q) const;
 };
 
-Cells::Cells(LAMMPS *lmp) :
-    Pointers(lmp), surroundings(lmp), unit(surroundings.radius_max), owned(MAX(atom->nlocal, 1))
+Cells::Cells(LAMMPS *lmp, const RadicalTessellation::Displaced *displaced) :
+    Pointers(lmp), surroundings(lmp), displaced(displaced), unit(surroundings.radius_max),
+    owned(MAX(atom->nlocal, 1))
 {
   const int nall = atom->nlocal + atom->nghost;
   const bool flat = domain->dimension == 2;
   double lo[3], hi[3], size[3];
-  surroundings.bounds(lo, hi);
+  surroundings.bounds(lo, hi, displaced);
   middle = {0.5 * (lo[0] + hi[0]), 0.5 * (lo[1] + hi[1]), flat ? 0.0 : 0.5 * (lo[2] + hi[2])};
   for (int d = 0; d < 3; d++) size[d] = (hi[d] - lo[d]) / unit + 2.0;
   if (flat) size[2] = 1.0;
@@ -235,7 +250,7 @@ template <class F> void Cells::each_cell(const F &shared)
   do {
     const int i = loop.pid();
     if (!container->compute_cell(cell, loop)) continue;    // swallowed by an overlapping one
-    if (surroundings.cut_at_boundaries(cell, position(i), unit)) shared(i, cell);
+    if (surroundings.cut_at_boundaries(cell, position(i), unit, displaced)) shared(i, cell);
   } while (loop.inc());
 }
 
@@ -317,10 +332,11 @@ void RadicalTessellation::request_ghosts(double largest_radius)
 
 /* ---------------------------------------------------------------------- */
 
-void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &visit) const
+void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &visit,
+                                    const RadicalTessellation::Displaced *displaced) const
 {
   if (atom->nlocal == 0) return;
-  Cells cells(lmp);
+  Cells cells(lmp, displaced);
   Cell cell;
   std::vector<int> corners, polygon;
   std::vector<double> points;
@@ -347,36 +363,24 @@ void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &vis
                    who, atom->tag[i], atom->tag[j], comm->get_comm_cutoff(),
                    1.1 * (comm->get_comm_cutoff() + missing));
     };
+    cell.get_vertices = [&, i, sure](std::vector<std::array<int, 3>> &vertices) {
+      vertices.clear();
+      for (int n = 0; n < found.p; n++) {
+        const int *others = found.ne[n];
+        if (*std::min_element(others, others + found.nu[n]) < 0) continue;
+        if (found.nu[n] != 3) return false;
+        const double missing = sure ? 0.0 : cells.vertex_missing(i, &points[3 * n]);
+        if (missing > 0.0)
+          error->one(FLERR,
+                     "{} cannot tell which pores atom {} has: there are voids, and ghost atoms "
+                     "reach {:.6g} only; use: comm_modify cutoff {:.4g}",
+                     who, atom->tag[i], comm->get_comm_cutoff(),
+                     1.1 * (comm->get_comm_cutoff() + missing));
+        vertices.push_back({others[0], others[1], others[2]});
+      }
+      return true;
+    };
     visit(cell);
-  });
-}
-
-/* ---------------------------------------------------------------------- */
-
-void RadicalTessellation::mark_faces(const NeighList *list, FaceFlags &faces) const
-{
-  std::size_t total = 0;
-  faces.first.assign(atom->nlocal, FaceFlags::NONE);    // under hybrid: a particle of other styles
-  for (int ii = 0; ii < list->inum; ii++) {
-    faces.first[list->ilist[ii]] = total;
-    total += list->numneigh[list->ilist[ii]];
-  }
-  faces.flags.assign(total, 0);
-  if (total == 0) return;
-
-  std::vector<int> entry(atom->nlocal + atom->nghost, -1);    // place in the list of i
-  each_cell([&](const Cell &cell) {
-    const int i = cell.owner;
-    if (faces.first[i] == FaceFlags::NONE) return;
-    const int *jlist = list->firstneigh[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = jj;
-    for (std::size_t n = 0; n < cell.neighbors.size(); n++) {
-      const int j = cell.neighbors[n];
-      if (j < 0 || entry[j] < 0 || cell.areas[n] < LEAST_AREA) continue;
-      faces.flags[faces.first[i] + entry[j]] = 1;
-      cell.require_sure(n);
-    }
-    for (int jj = 0; jj < list->numneigh[i]; jj++) entry[jlist[jj] & NEIGHMASK] = -1;
   });
 }
 
@@ -392,12 +396,8 @@ void RadicalTessellation::request_ghosts(double)
   error->all(FLERR, "{} {}", who, NO_LIBRARY);
 }
 
-void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &) const
-{
-  error->all(FLERR, "{} {}", who, NO_LIBRARY);
-}
-
-void RadicalTessellation::mark_faces(const NeighList *, FaceFlags &) const
+void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &,
+                                    const std::vector<Lubcontact_NS::Vec3> *) const
 {
   error->all(FLERR, "{} {}", who, NO_LIBRARY);
 }

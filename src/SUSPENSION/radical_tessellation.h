@@ -17,8 +17,10 @@
 #ifndef LMP_RADICAL_TESSELLATION_H
 #define LMP_RADICAL_TESSELLATION_H
 
+#include "lubcontact_vec3.h"
 #include "pointers.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -65,8 +67,19 @@ class RadicalTessellation : protected Pointers {
     std::vector<int> neighbors;
     std::vector<double> areas;
     std::function<void(std::size_t)> require_sure;    // of face n
+    // The three neighbors that meet at each vertex inside: with the owner, a tetrahedron of the dual.
+    // False if more than three do, a tie. Vertices that ghosts do not decide are errors.
+    std::function<bool(std::vector<std::array<int, 3>> &)> get_vertices;
   };
-  void each_cell(const std::function<void(const Cell &)> &) const;    // of the owned atoms
+  // For tetrahedra all atoms, ghosts too, are displaced to break ties, and where y is not periodic
+  // cells end at two planes, the same on all ranks.
+  struct Displaced {
+    std::vector<Lubcontact_NS::Vec3> by;
+    double lowest, highest;    // y of the planes
+  };
+  // of the owned atoms
+  void each_cell(const std::function<void(const Cell &)> &,
+                 const Displaced *displaced = nullptr) const;
 
   void mark_faces(const NeighList *, FaceFlags &) const;
 

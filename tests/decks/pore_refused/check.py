@@ -41,8 +41,19 @@ CASES = [    # lines in place of the fix, message, underlined word or None, boun
      "drained or undrained", None),
     (F + " cell mean layer 5\nfix d between deform 1 x erate 0.1 remap v", "mean layer follows the dilation of a fix deform/rheometer", None),
     (F + " factor 1 factor 2", "factor is given twice", "factor"),
-    (F + " solver", "missing argument: grid|cg|mean", None),
-    (F + " solver network", "solver must be one of grid cg mean, but is network", "network"),
+    (F + " solver", "missing argument: grid|cg|network|mean", None),
+    (F + " solver pores", "solver must be one of grid cg network mean, but is pores", "pores"),
+    (F + " alpha", "missing argument: auto|a", None),
+    (F + " alpha 0 solver network", "alpha must be > 0, but is 0", "0"),
+    (F + " alpha some solver network", "instead of 'some'", None),
+    (F + " alpha auto", "alpha is that of a network: it cannot act on a grid; remove alpha or use solver network", "alpha"),
+    (F + " solver network spacing 3", "spacing is that of a grid: it cannot act on a network", "spacing"),
+    (F + " solver network grid 3 3 3", "remove it or use solver grid", "grid"),
+    (F + " solver network permeability kozeny", "has its permeability from its pores; remove it", "permeability"),
+    (F + " phi_min 0.2 solver network", "phi_min is that of a grid", "phi_min"),
+    (F + " solver network every 3", "every is that of a grid", "every"),
+    (F + OPEN + " solver network gradient 0 1 0", "no mean gradient between plates: use solver grid or cg", "gradient"),
+    (F + " solver network", "2 are not in its group: use group all, or solver grid", None),
     (F + " spacing", "missing argument: h", None),
     (F + " spacing 0", "spacing must be > 0, but is 0", "0"),
     (F + " spacing wide", "instead of 'wide'", None),
@@ -114,6 +125,7 @@ for fix, message, word in CASES:
 for boundary in ("f p p", "p p f"):
     deck.expect_error(f"boundary {boundary}", run(F, boundary), "needs a periodic cell, or along y the plates")
 deck.expect_error("points", run(F, "p p p", atoms="atomic"), "use: atom_style sphere")
+deck.expect_error("network of discs", run(F + " solver network", "p p p", dim=2), "has no pores between discs; use solver grid")
 deck.expect_error("discs", run(F, "p p p", dim=2), "has no law of permeability for discs; use: permeability constant k")
 for fix in GOOD:
     text = run(fix, fails=False)
