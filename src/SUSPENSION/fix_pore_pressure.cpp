@@ -34,7 +34,7 @@ using Pore_NS::Wall;
 
 FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new PoreSettings()), plates(nullptr), dilation(nullptr),
-    force_of_atom(nullptr), work(0.0), tilt{}
+    force_of_atom(nullptr), work(0.0), tilt{}, of_cell(0.0), resistance(0.0), even_k(0.0)
 {
   parse(narg, arg);
   scalar_flag = 0;
@@ -85,19 +85,8 @@ struct FixPorePressure::Now {
 
 FixPorePressure::Now FixPorePressure::now(double dt)
 {
-  PoreSettings &s = *settings;
-  bool variables = false;
-  for (const auto *number : s.numbers())
-    if (!number->is_number()) variables = true;
-  if (variables) modify->clearstep_compute();
-  for (auto *number : s.numbers()) number->evaluate(lmp);
-  if (variables) modify->addstep_compute(update->ntimestep + 1);
-  const double *of_pair = s.viscosity_of_pair ? Suspension_NS::viscosity_of_pair(lmp)
-                                              : &s.viscosity.value;
-  if (!of_pair || !(*of_pair > 0.0))
-    error->all(FLERR, "Fix pore/pressure viscosity must be > 0, but is {} at step {}",
-               of_pair ? *of_pair : 0.0, update->ntimestep);
-
+  const PoreSettings &s = *settings;
+  const double viscosity = evaluate();
   Now n{};
   const double *lo = domain->boxlo;
   const bool flat = domain->dimension == 2;
@@ -118,7 +107,7 @@ FixPorePressure::Now FixPorePressure::now(double dt)
     add_plates(n, dt);
   }
   const double unit = 1.0 / force->nktv2p;    // LAMMPS' pressure to force/area
-  n.fluid.viscosity = *of_pair;
+  n.fluid.viscosity = viscosity;
   n.fluid.storage = s.storage / unit;
   n.fluid.law = s.law;
   n.fluid.coupling = s.coupling;
@@ -175,6 +164,7 @@ void FixPorePressure::prepare()
 
 void FixPorePressure::setup(int /*vflag*/)
 {
+  if (settings->even) return follow_layer(true);
   prepare();
   has_flipped();
   if (plates) plates->evaluate_targets();
@@ -194,6 +184,7 @@ void FixPorePressure::setup(int /*vflag*/)
 
 void FixPorePressure::post_force(int /*vflag*/)
 {
+  if (settings->even) return follow_layer(false);
   Now n = now(update->dt);
   n.fluid.mean = next_mean(n.fluid.storage, false);
   if (has_flipped()) field->flipped();
@@ -279,6 +270,7 @@ int FixPorePressure::unpack_exchange(int nlocal, double *buf)
 
 double FixPorePressure::compute_vector(int n)
 {
+  if (settings->even) return layer_output(n);
   if (n == Output::LOWER_FLUX || n == Output::UPPER_FLUX) measure_flow();
   const PoreSolver::Report &r = field->report();
   const double unit = force->nktv2p;
@@ -296,7 +288,7 @@ double FixPorePressure::compute_vector(int n)
     case Output::UPPER_FLUX:
       return r.flux.upper / field->wall_area();
     case Output::DISSIPATION:
-      return field->dissipation() * unit / field->volume();
+      return (field->dissipation() / field->volume() + layer_heat()) * unit;
     case Output::FX:
     case Output::FY:
     case Output::FZ:
@@ -318,6 +310,7 @@ double FixPorePressure::compute_vector(int n)
 
 double FixPorePressure::compute_array(int i, int j)
 {
+  if (settings->even) return i == 0 ? layer_profile(j) : 0.0;
   measure_flow();
   const auto layers = field->profile();
   if (i >= static_cast<int>(layers.size())) return 0.0;
@@ -331,18 +324,6 @@ void FixPorePressure::measure_flow()
 {
   field->measure_flow(plates ? Lubcontact_NS::Vec3{plates->velocity(), plates->opening(), 0.0}
                              : Lubcontact_NS::Vec3());
-}
-
-double FixPorePressure::pressure_volume() const
-{
-  return field->report().mean * field->volume();
-}
-
-double FixPorePressure::mean_power()
-{
-  double all;
-  MPI_Allreduce(&work, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return -all;
 }
 
 bool FixPorePressure::acts() const

@@ -21,6 +21,7 @@ FixStyle(pore/pressure,FixPorePressure);
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 class FixRheometerPlates;
@@ -49,9 +50,11 @@ class FixPorePressure : public Fix {
   void restart(char *) override;
 
   // of the last step
-  double pressure_volume() const;    // its integral
-  double mean_power();               // that the particles have given to the fluid, energy/time
-  bool acts() const;                 // not with coupling off
+  double pressure_volume() const;                 // its integral
+  std::vector<double> pressure_shares() const;    // of it, by local index; clear fluid has the rest
+  double mean_power();    // that particles and cell have given to the fluid, energy/time
+  double cell_pressure() const { return mean.pressure; }    // the mean one, of a periodic cell
+  bool acts() const;                                        // not with coupling off
 
   // of the particles of now: mean pressure over -d ln V/dt that a layer opposes to its change of
   // volume; 0 without a layer, or if it does not act
@@ -81,9 +84,12 @@ class FixPorePressure : public Fix {
     double cell = 0.0;                     // volume to which that belongs; 0: none
     double volume = 0.0, squares = 0.0;    // of the particles, and of their radii
   } mean;
+  double of_cell;               // power that its change of volume gives to the fluid
+  double resistance, even_k;    // of an even layer: layer_resistance(), permeability
 
   void parse(int, char **);
   int parse_keyword(int, int, char **);
+  void check_even(std::map<std::string, int> &given) const;
   void make_solver(const std::map<std::string, int> &given);
   void check_order() const;
   void check_others() const;
@@ -94,7 +100,16 @@ class FixPorePressure : public Fix {
   Now now(double);
   void add_plates(Now &, double) const;
   bool has_flipped();
+  double evaluate();    // variables; the viscosity
   double layer_resistance();
+  double gap() const;
+  double dilation_of_gap() const;
+  double mean_of_layer() const;
+  void follow_layer(bool is_setup);
+  double layer_heat() const;    // power/volume
+  double volume() const;
+  double layer_output(int);
+  double layer_profile(int) const;
   double next_mean(double storage, bool is_known);
   void find_flow();
   void measure_work();

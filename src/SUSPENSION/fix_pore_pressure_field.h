@@ -36,13 +36,13 @@ class PoreField : public PoreSolver {
   int prepare(const PoreSettings &, const std::array<double, 3> &, double) override;
   bool has_pressure() const override { return age > 0; }
   void flipped() override { age = 0; }    // nodes are not mapped onto nodes
-  // unless anew, particles keep the weights that they have in lattice coordinates
   void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &,
                bool anew) override;
   // the first pressures are iterated to the tolerance, and all where asked
   void advance(double dt, const Fluid &, const Plates &) override;
   void add_forces(const Fluid &, const Plates &) override;
   const std::vector<Lubcontact_NS::Vec3> &forces() const override { return pushed; }
+  std::vector<double> pressure_shares() const override;
   const Report &report() const override { return seen; }
   double dissipation() const override;
   void measure_flow(const Lubcontact_NS::Vec3 &upper_plate) override;
@@ -79,6 +79,7 @@ class PoreField : public PoreSolver {
   std::vector<Lubcontact_NS::Vec3> pushed;    // all forces of the pressure, by local index
   std::unique_ptr<struct PoreTransforms> transforms;
   Report seen;
+  Fluid outside;    // that has made the forces
 
   Lubcontact_NS::Vec3 force_on_plate(const Pore_NS::Field &of_pressure,
                                      const std::vector<Pore_NS::Lanes> &gradient,

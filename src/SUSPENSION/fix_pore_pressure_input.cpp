@@ -36,7 +36,7 @@ using Suspension_NS::require_words;
 
 // values of each keyword
 static const std::map<std::string, std::string> KEYWORDS = {
-    {"solver", "grid|cg|network"},
+    {"solver", "grid|cg|network|mean"},
     {"alpha", "auto|a"},
     {"spacing", "h"},
     {"grid", "nx ny nz"},
@@ -85,13 +85,38 @@ void FixPorePressure::parse(int narg, char **arg)
   if (given.count("mean") && given.count("plates"))
     error->all(FLERR, given["mean"],
                "Fix pore/pressure mean is that of a periodic cell: it cannot act between plates, "
-               "whose kinds decide; remove mean");
+               "whose kinds decide; remove mean, or for the mean alone use solver mean");
   if (settings->mean == PoreSettings::UNDRAINED && !(settings->storage > 0.0))
     error->all(
         FLERR, given["mean"],
         "Fix pore/pressure mean undrained needs a fluid that can be compressed; add: storage "
         "S");
+  check_even(given);
   make_solver(given);
+}
+
+void FixPorePressure::check_even(std::map<std::string, int> &given) const
+{
+  if (!settings->even) return;
+  for (const char *key : {"spacing", "grid", "tolerance", "pressure", "gradient"})
+    if (given.count(key))
+      error->all(FLERR, given[key],
+                 "Fix pore/pressure solver mean has no pressure in space: {} cannot act; remove it",
+                 key);
+  if (given.count("storage") && settings->mean != PoreSettings::UNDRAINED)
+    error->all(FLERR, given["storage"],
+               "Fix pore/pressure solver mean follows the motion at once: storage cannot act; "
+               "remove it, or use a cell with mean undrained");
+  if (settings->coupling == PoreSolver::Coupling::EXPLICIT)
+    error->all(
+        FLERR, given["coupling"],
+        "Fix pore/pressure solver mean is a dashpot, which has no explicit form: use coupling "
+        "implicit");
+  if (settings->plates.empty() && settings->mean == PoreSettings::DRAINED)
+    error->all(
+        FLERR, given["solver"],
+        "Fix pore/pressure solver mean has nothing to do in a cell that is drained: add mean "
+        "layer H, or mean undrained with a storage");
 }
 
 /* ----------------------------------------------------------------------
@@ -101,7 +126,7 @@ void FixPorePressure::parse(int narg, char **arg)
 void FixPorePressure::make_solver(const std::map<std::string, int> &given)
 {
   if (!settings->network) {
-    if (!PoreField::has_library())
+    if (!settings->even && !PoreField::has_library())
       error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
     if (given.count("alpha"))
       error->all(
@@ -153,9 +178,10 @@ int FixPorePressure::parse_keyword(int iarg, int narg, char **arg)
                utils::join_words(words, " "), arg[at]);
   };
   if (key == "solver") {
-    const int which = choose(iarg + 1, {"grid", "cg", "network"});
+    const int which = choose(iarg + 1, {"grid", "cg", "network", "mean"});
     s.iterate = which == 1;
     s.network = which == 2;
+    s.even = which == 3;
   } else if (key == "alpha") {
     if (strcmp(arg[iarg + 1], "auto") != 0) s.alpha = positive(iarg + 1);
   } else if (key == "spacing") {
@@ -244,7 +270,7 @@ void FixPorePressure::init()
                "Fix pore/pressure in 2d has no law of permeability for discs; use: permeability "
                "constant k");
   check_others();
-  check_order();
+  if (!settings->even) check_order();
   find_flow();
   field->init();
 
@@ -274,9 +300,9 @@ void FixPorePressure::check_plates() const
   if (settings->lower == Wall::IMPERMEABLE && !plates->has_gap())
     error->all(FLERR,
                "Fix pore/pressure: the fluid has no way out between two impermeable plates that "
-               "approach: use drained for one of them, gap in fix {}, or storage S",
-               settings->plates);
-  if (plates->has_servo())
+               "approach: use drained for one of them, gap in fix {}{}",
+               settings->plates, settings->even ? "" : ", or storage S");
+  if (plates->has_servo() && !settings->even)
     error->all(FLERR,
                "Fix pore/pressure: the pressure on an impermeable plate answers to its motion at "
                "once, which the servo of fix {} cannot follow: use load instead of pressure there, "
@@ -292,6 +318,7 @@ void FixPorePressure::check_others() const
 {
   if (modify->get_fix_by_style("^pore/pressure").size() > 1)
     error->all(FLERR, "More than one fix pore/pressure: the pressure of the pores is only one");
+  if (settings->even) return;    // which pushes no particle
   for (const char *other : {"^drag/background", "^overdamped/sphere"})
     for (const auto &fix : modify->get_fix_by_style(other))
       if (settings->coupling != PoreSolver::Coupling::OFF)

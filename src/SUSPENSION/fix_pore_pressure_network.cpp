@@ -123,7 +123,8 @@ void PoreNetwork::shape(const Fluid &fluid)
     seen.k_min = MIN(seen.k_min, factor * throats[2 * n + 1]);
     seen.k_max = MAX(seen.k_max, factor * throats[2 * n + 1]);
   }
-  seen.outside = fluid;
+  seen.gradient = fluid.gradient;
+  outside = fluid;
   rises.resize(links);
   pull.assign(x.size(), Vec3());
   for (std::size_t n = 0; n < links; n++) {
@@ -244,6 +245,18 @@ void PoreNetwork::add_forces(const Fluid &fluid, const Plates &)
   for (const double value : p) seen.largest = MAX(seen.largest, fabs(value + fluid.mean));
 }
 
+// each corner has a quarter of its pores
+std::vector<double> PoreNetwork::pressure_shares() const
+{
+  std::vector<double> shares(index.size(), 0.0);
+  for (std::size_t i = 0; i < shares.size(); i++)
+    for (int n = net.first[index[i]]; n < net.first[index[i] + 1]; n++) {
+      const int pore = net.at[n].pore;
+      shares[i] += 0.25 * flow.shape[pore].volume * (p[pore] + seen.given_mean);
+    }
+  return shares;
+}
+
 double PoreNetwork::mean_pressure() const
 {
   double sum = 0.0, filled = 0.0;
@@ -259,8 +272,7 @@ double PoreNetwork::dissipation() const
   if (net.pores.empty()) return 0.0;
   double power = network_dissipation(net, flow, p, rises);
   for (const Hull &facet : hull) {
-    const double drop =
-        p[facet.pore] - (facet.plate == UPPER ? seen.outside.upper : seen.outside.lower);
+    const double drop = p[facet.pore] - (facet.plate == UPPER ? outside.upper : outside.lower);
     power += facet.conductance * drop * drop;
   }
   return power;

@@ -39,6 +39,7 @@ struct PoreSettings {
   PoreSolver::Coupling coupling = PoreSolver::Coupling::IMPLICIT;
   bool network = false, iterate = false;
   double alpha = 0.0;    // factor of the conductances of a network; 0: auto
+  bool even = false;     // solver mean: a layer that dilates evenly, without a grid
   double tolerance = 1e-8;
   int every = 20;    // steps that particles keep their weights
 

@@ -53,10 +53,10 @@ class PoreSolver : protected Pointers {
     double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures
     struct {
       double lower = 0.0, upper = 0.0;
-    } flux;                     // volume/time out of drained plates
-    double given_mean = 0.0;    // that of a periodic cell
-    Fluid outside;              // that has made the forces
-    double total[3] = {};       // force on all particles
+    } flux;                          // volume/time out of drained plates
+    double given_mean = 0.0;         // that of a periodic cell
+    Lubcontact_NS::Vec3 gradient;    // the mean one that was given
+    double total[3] = {};            // force on all particles
     Pore_NS::Convergence convergence;
     double k_min = 0.0, k_max = 0.0;
     double explicit_step = 0.0;
@@ -75,8 +75,8 @@ class PoreSolver : protected Pointers {
   virtual bool has_pressure() const = 0;
   virtual void flipped() = 0;    // the tilt of the cell, since the last step
 
-  // the particles of this step with these bits, in this cell; the pressure stays
-  // anew: it is time to look where they are
+  // the particles of this step with these bits, in this cell; the pressure stays. Unless anew, what
+  // hardly changes may be that of the last time
   virtual void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &,
                        bool anew) = 0;
   // pressure at the end of the step of length dt, in which the other forces act
@@ -84,6 +84,10 @@ class PoreSolver : protected Pointers {
   // of the pressure, on the particles as they were deposited: added to their forces
   virtual void add_forces(const Fluid &, const Plates &) = 0;
   virtual const std::vector<Lubcontact_NS::Vec3> &forces() const = 0;    // by local index
+
+  // by local index: what of the integral of the pressure, the given mean included, each particle
+  // stands for; all together have all of it but that of clear fluid
+  virtual std::vector<double> pressure_shares() const = 0;
 
   virtual const Report &report() const = 0;
   virtual double dissipation() const = 0;    // power of the flow through the pores
