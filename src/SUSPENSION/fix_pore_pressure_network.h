@@ -41,9 +41,9 @@ class PoreNetwork : public PoreSolver {
   void add_forces(const Fluid &, const Plates &) override;
   const std::vector<Lubcontact_NS::Vec3> &forces() const override { return pushed; }
 
-  std::vector<double> pressure_shares() const override;
   const Report &report() const override { return seen; }
   double dissipation() const override;
+  std::vector<double> pressure_shares() const override;
   void measure_flow(const Lubcontact_NS::Vec3 &) override;
   std::vector<Layer> profile() const override;    // one layer, the whole cell
   double volume() const override { return box.xprd * box.yprd * box.zprd; }
@@ -85,6 +85,7 @@ class PoreNetwork : public PoreSolver {
   std::vector<Vec3> pushed;    // forces of the pressure on the atoms of this rank
   double mean_velocity;        // along y
   Report seen;
+  Fluid outside;    // of this step
 
   // facets on the plates
   struct Hull {

@@ -397,7 +397,7 @@ void RadicalTessellation::request_ghosts(double)
 }
 
 void RadicalTessellation::each_cell(const std::function<void(const Cell &)> &,
-                                    const std::vector<Lubcontact_NS::Vec3> *) const
+                                    const Displaced *) const
 {
   error->all(FLERR, "{} {}", who, NO_LIBRARY);
 }

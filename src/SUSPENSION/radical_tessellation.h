@@ -67,7 +67,8 @@ class RadicalTessellation : protected Pointers {
     std::vector<int> neighbors;
     std::vector<double> areas;
     std::function<void(std::size_t)> require_sure;    // of face n
-    // The three neighbors that meet at each vertex inside: with the owner, a tetrahedron of the dual.
+    // The three neighbors that meet at each vertex inside: with the owner, a tetrahedron of the
+    // dual.
     // False if more than three do, a tie. Vertices that ghosts do not decide are errors.
     std::function<bool(std::vector<std::array<int, 3>> &)> get_vertices;
   };
