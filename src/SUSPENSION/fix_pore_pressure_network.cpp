@@ -123,8 +123,7 @@ void PoreNetwork::shape(const Fluid &fluid)
     seen.k_min = MIN(seen.k_min, factor * throats[2 * n + 1]);
     seen.k_max = MAX(seen.k_max, factor * throats[2 * n + 1]);
   }
-  seen.gradient = fluid.gradient;
-  outside = fluid;
+  seen.outside = fluid;
   rises.resize(links);
   pull.assign(x.size(), Vec3());
   for (std::size_t n = 0; n < links; n++) {
@@ -260,7 +259,8 @@ double PoreNetwork::dissipation() const
   if (net.pores.empty()) return 0.0;
   double power = network_dissipation(net, flow, p, rises);
   for (const Hull &facet : hull) {
-    const double drop = p[facet.pore] - (facet.plate == UPPER ? outside.upper : outside.lower);
+    const double drop =
+        p[facet.pore] - (facet.plate == UPPER ? seen.outside.upper : seen.outside.lower);
     power += facet.conductance * drop * drop;
   }
   return power;

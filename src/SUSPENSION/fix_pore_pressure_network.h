@@ -85,7 +85,6 @@ class PoreNetwork : public PoreSolver {
   std::vector<Vec3> pushed;    // forces of the pressure on the atoms of this rank
   double mean_velocity;        // along y
   Report seen;
-  Fluid outside;    // of this step
 
   // facets on the plates
   struct Hull {

@@ -53,10 +53,10 @@ class PoreSolver : protected Pointers {
     double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures
     struct {
       double lower = 0.0, upper = 0.0;
-    } flux;                          // volume/time out of drained plates
-    double given_mean = 0.0;         // that of a periodic cell
-    Lubcontact_NS::Vec3 gradient;    // the mean one that was given
-    double total[3] = {};            // force on all particles
+    } flux;                     // volume/time out of drained plates
+    double given_mean = 0.0;    // that of a periodic cell
+    Fluid outside;              // that has made the forces
+    double total[3] = {};       // force on all particles
     Pore_NS::Convergence convergence;
     double k_min = 0.0, k_max = 0.0;
     double explicit_step = 0.0;
