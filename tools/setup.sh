@@ -11,7 +11,7 @@ packages="g++ make cmake ninja-build ccache libopenmpi-dev openmpi-bin python3 p
 tests=OFF
 case "$#:${1:-}" in
   0:) ;;
-  1:--tests) tests=ON packages="$packages libgtest-dev libbenchmark-dev valgrind clang python3-sphinx libjs-mathjax" ;;
+  1:--tests) tests=ON packages="$packages libgtest-dev libbenchmark-dev libeigen3-dev valgrind clang python3-sphinx libjs-mathjax" ;;
   *) die "unknown arguments: $*; usage: tools/setup.sh [--tests]" ;;
 esac
 

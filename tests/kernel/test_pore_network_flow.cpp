@@ -3,6 +3,12 @@
 #include "network_case.h"
 #include "pore_cg.h"
 
+#ifdef SUSPENSION_EIGEN
+#include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
+#include <tuple>
+#endif
+
 using namespace network_case;
 
 namespace {
@@ -213,6 +219,69 @@ TEST(PoreNetworkFlow, ExplicitStepIsOnTheSafeSide)
   const double step = network_explicit_step(s.net, s.flow, s.inverse_mass);
   EXPECT_LT(step, 2.0 / rate);
   EXPECT_GT(step, 0.1 * 2.0 / rate);
+}
+
+#ifdef SUSPENSION_EIGEN
+// The matrices built as such, link by link and pore by pore, and solved by elimination.
+TEST(PoreNetworkFlow, ImplicitStepIsThatOfTheAssembledMatrices)
+{
+  Random rnd(331);
+  const Lattice s = make_lattice(3, rnd, 0.03, 0.25);
+  const int pores = static_cast<int>(s.net.pores.size()), particles = static_cast<int>(s.x.size());
+  const double dt = 0.7, storage = 0.3;
+  std::vector<Eigen::Triplet<double>> of_k, of_d, of_m;
+  for (std::size_t n = 0; n < s.net.links.size(); n++) {
+    const int a = s.net.links[n].pore[0], b = s.net.links[n].pore[1];
+    const double g = s.flow.g[n];
+    for (const auto &[row, column, value] :
+         {std::tuple{a, a, g}, std::tuple{b, b, g}, std::tuple{a, b, -g}, std::tuple{b, a, -g}})
+      of_k.emplace_back(row, column, value);
+  }
+  for (int i = 0; i < pores; i++) {
+    of_k.emplace_back(i, i, storage * s.flow.shape[i].volume);
+    for (int n = 0; n < 4; n++) {
+      const Vec3 g = s.flow.shape[i].gradient[n];
+      const double components[3] = {g.x, g.y, g.z};
+      for (int axis = 0; axis < 3; axis++)
+        of_d.emplace_back(i, 3 * s.net.pores[i][n].particle + axis, components[axis]);
+    }
+  }
+  for (int n = 0; n < 3 * particles; n++) of_m.emplace_back(n, n, s.inverse_mass[n / 3]);
+  Eigen::SparseMatrix<double> k(pores, pores), d(pores, 3 * particles),
+      m(3 * particles, 3 * particles);
+  k.setFromTriplets(of_k.begin(), of_k.end());
+  d.setFromTriplets(of_d.begin(), of_d.end());
+  m.setFromTriplets(of_m.begin(), of_m.end());
+  const Eigen::SparseMatrix<double> a =
+      k + dt * (d * m * Eigen::SparseMatrix<double>(d.transpose()));
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(a);
+  ASSERT_EQ(factors.info(), Eigen::Success);
+
+  std::vector<double> rhs(pores);
+  for (double &value : rhs) value = rnd.uniform(-1.0, 1.0);
+  const Eigen::VectorXd expected =
+      factors.solve(Eigen::Map<const Eigen::VectorXd>(rhs.data(), pores));
+  const std::vector<double> found = Implicit(s, dt, storage).solve(rhs);
+  for (int i = 0; i < pores; i++)
+    EXPECT_NEAR(found[i], expected[i], 1e-9 * expected.cwiseAbs().maxCoeff());
+}
+#endif
+
+TEST(PoreNetworkFlow, SharesOfTheParticlesHaveTheIntegralOfThePressure)
+{
+  Random rnd(332);
+  const Lattice s = make_lattice(2, rnd, 0.03, 0.2);
+  const auto p = random_pressure(rnd, s);
+  double sum = 0.0, expected = 0.0;
+  for (std::size_t k = 0; k < s.x.size(); k++)
+    sum += share_of(s.net, s.flow, p, static_cast<int>(k));
+  for (std::size_t i = 0; i < p.size(); i++) expected += p[i] * s.flow.shape[i].volume;
+  EXPECT_NEAR(sum, expected, 1e-13);
+  // a pressure in one pore only: its corners have a quarter each
+  std::vector<double> one(p.size(), 0.0);
+  one[5] = 2.0;
+  for (const Corner &c : s.net.pores[5])
+    EXPECT_GE(share_of(s.net, s.flow, one, c.particle), 0.5 * s.flow.shape[5].volume * (1 - 1e-14));
 }
 
 }    // namespace
