@@ -13,15 +13,18 @@ from pathlib import Path
 import run
 
 HERE = Path(__file__).resolve().parent
-SIZES = {4000: "1 1 1", 108000: "3 3 3"}
+SIZES = {1000: ("1 1 1", 1000), 4000: ("1 1 1", 400), 108000: ("3 3 3", 60)}    # copies of a state, steps
 SPACINGS = ["0", "3.0", "4.0"]    # radii of the particles; 0: without
+NETWORK = {1000: 40}    # steps of the network of pores
 FIELDS = ["particles", "spacing", "step", "modify", "over_without"]
 
 
 def measure(state, particles, spacing):
     """CPU time of a particle-step, all of it and that of the fixes, in ns."""
-    steps = 400 if particles < 10000 else 60
-    text = run.lammps(1, "-in", "in.lists", "-var", "state", state, "-var", "copies", SIZES[particles], "-var", "pores", spacing,
+    copies, steps = SIZES[particles]
+    if spacing == "network":
+        steps = NETWORK[particles]
+    text = run.lammps(1, "-in", "in.lists", "-var", "state", state, "-var", "copies", copies, "-var", "pores", spacing,
                       "-var", "steps", steps, "-var", "warm", 20)
     sections = run.read_sections(text.split("measured from here")[-1], 1)
     return {"particles": particles, "spacing": spacing, "step": sum(sections[name] for name in run.SECTIONS) / particles,
@@ -32,12 +35,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--repetitions", type=int, default=2, help="of every case, of which the best counts (2)")
     args = parser.parse_args()
-    state = run.make_state(run.build_folder(), 4000)
     rows = []
     for particles in SIZES:
-        found = {spacing: [] for spacing in SPACINGS}
+        state = run.make_state(run.build_folder(), min(particles, 4000))
+        found = {spacing: [] for spacing in SPACINGS + ["network"] * (particles in NETWORK)}
         for _ in range(args.repetitions):
-            for spacing in SPACINGS:
+            for spacing in found:
                 found[spacing].append(measure(state, particles, spacing))
         best = {spacing: min(runs, key=lambda row: row["step"]) for spacing, runs in found.items()}
         for row in best.values():
