@@ -30,11 +30,11 @@ def permeability(phi, radius):
 class Layer:
     """weight: buoyant, per area; slope in radians; steady: I and phi of the steady flow on this slope."""
 
-    def __init__(self, phi, height, weight, slope, viscosity, radius, steady, dilatancy=3.0, modulus=np.inf):
+    def __init__(self, phi, height, weight, slope, viscosity, radius, steady, dilatancy=3.0, modulus=np.inf, factor=1.0):
         self.phi, self.solid = np.full(LAYERS, float(phi)), phi * height / LAYERS
         above = 1 - (np.arange(LAYERS) + 0.5) / LAYERS
         self.load, self.shear = weight * np.cos(slope) * above, weight * np.sin(slope) * above
-        self.viscosity, self.radius, self.dilatancy, self.modulus = viscosity, radius, dilatancy, modulus
+        self.viscosity, self.radius, self.dilatancy, self.modulus, self.factor = viscosity, radius, dilatancy, modulus, factor
         self.phi_shift = steady[1] - phi_boyer(steady[0])
         self.mu_shift = np.tan(slope) - mu_boyer(steady[0])
         self.resistance = mu_boyer(NUMBERS) + self.mu_shift - dilatancy * (phi_boyer(NUMBERS) + self.phi_shift)
@@ -50,7 +50,7 @@ class Layer:
 
     def step(self, dt):
         """p at the end of the step by Newton, at the volume fractions of its start."""
-        thickness, k = self.solid / self.phi, permeability(self.phi, self.radius) / self.viscosity
+        thickness, k = self.solid / self.phi, self.factor * permeability(self.phi, self.radius) / self.viscosity
         between = 1 / (0.5 * (thickness / k)[1:] + 0.5 * (thickness / k)[:-1])
         top = k[-1] / (0.5 * thickness[-1])
         low, high = np.append(0, between), np.append(between, top)

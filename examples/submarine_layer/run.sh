@@ -9,7 +9,7 @@ mkdir -p runs
 
 # name, and friction while the grains settle, which decides how dense they lie
 starts="
-dense 0.075
+dense 0.09
 loose 0.45
 medium 0.2
 "
