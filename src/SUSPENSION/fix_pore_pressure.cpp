@@ -19,6 +19,7 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "restart_seal.h"
 #include "suspension_host.h"
 #include "update.h"
@@ -172,18 +173,23 @@ void FixPorePressure::setup(int /*vflag*/)
   const double half = 0.5 * update->dt;
   Now n = now(half);
   n.fluid.mean = next_mean(n.fluid.storage, field->has_pressure());
-  field->deposit(n.cell, n.bits, n.fluid, n.plates);
+  field->deposit(n.cell, n.bits, n.fluid, n.plates, true);
   if (!field->has_pressure()) field->advance(half, n.fluid, n.plates);
   field->add_forces(n.fluid, n.plates);
   keep_forces();
 }
+
+/* ----------------------------------------------------------------------
+   Weights are made anew every so many steps since the neighbor lists were, which is done when a
+   restart file is written, too: the run that continues it is then the same.
+------------------------------------------------------------------------- */
 
 void FixPorePressure::post_force(int /*vflag*/)
 {
   Now n = now(update->dt);
   n.fluid.mean = next_mean(n.fluid.storage, false);
   if (has_flipped()) field->forget();
-  field->deposit(n.cell, n.bits, n.fluid, n.plates);
+  field->deposit(n.cell, n.bits, n.fluid, n.plates, neighbor->ago % settings->every == 0);
   field->advance(update->dt, n.fluid, n.plates);
   field->add_forces(n.fluid, n.plates);
   measure_work();
@@ -213,9 +219,10 @@ bool FixPorePressure::has_flipped()
 void FixPorePressure::measure_work()
 {
   const auto &forces = field->forces();
+  const Suspension_NS::CellFlow cell(domain);
   work = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
-    const auto flow = Suspension_NS::cell_velocity(domain, atom->x[i]);
+    const auto flow = cell.at(atom->x[i]);
     const double f[3] = {forces[i].x, forces[i].y, forces[i].z};
     for (int d = 0; d < 3; d++)
       work += 0.5 * (force_of_atom[i][d] + f[d]) * (atom->v[i][d] - flow[d]);

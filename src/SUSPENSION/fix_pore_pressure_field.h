@@ -64,8 +64,9 @@ class PoreField : protected Pointers {
   }    // since there was no pressure, counted while they iterate
   void forget() { age = 0; }
 
-  // the particles of this step with these bits, in this cell; the pressure stays
-  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &);
+  // the particles of this step with these bits, in this cell; the pressure stays. Unless anew, they
+  // keep the weights that they have in lattice coordinates
+  void deposit(const Pore_NS::Cell &, int groupbits, const Fluid &, const Plates &, bool anew);
 
   // Pressure at the end of the step of length dt, in which the other forces act. The first ones are
   // iterated to the tolerance, and all where asked.
@@ -80,7 +81,7 @@ class PoreField : protected Pointers {
     double mean = 0.0, largest = 0.0, lower = 0.0, upper = 0.0;    // pressures
     Pore_NS::WallFlux flux;                                        // volume/time
     double given_mean = 0.0;                                       // that of a periodic cell
-    Lubcontact_NS::Vec3 gradient;                                  // the mean one that was given
+    Fluid outside;                                                 // that has made the forces
     double total[3] = {};                                          // force on all particles
     Pore_NS::Convergence convergence;
     double k_min = 0.0, k_max = 0.0;
@@ -104,7 +105,6 @@ class PoreField : protected Pointers {
   struct Particle {
     int i;
     double inverse_mass;    // of one that is free, or what of its mass a plate has
-    Pore_NS::Stencil stencil;
   };
 
   Pore_NS::Grid lattice;
@@ -113,21 +113,30 @@ class PoreField : protected Pointers {
   Pore_NS::Field p;
   int age;
   Plates of_deposit;
-  int nlocal;       // of the deposit
-  bool measured;    // motion and flux since then
+  int nlocal;               // of the stencils
+  double yield_of_plate;    // mass over that of the particles times what moves it: of the stencils
+  bool fresh;               // the stencils are of this step
+  bool measured;            // motion and flux since the deposit
   std::vector<Pore_NS::Element> elements;
   std::vector<Pore_NS::Motion> motion;
-  std::vector<double> mobility;
+  std::vector<double> mobility, bound;
   std::vector<Particle> particles;
-  std::vector<Lubcontact_NS::Vec3> pushed;    // forces of the pressure
+  std::vector<Pore_NS::Stencil> stencils;     // of the particles
+  std::vector<Pore_NS::Lanes> of_pores;       // forces of the flow through the pores on them
+  std::vector<Lubcontact_NS::Vec3> pushed;    // all forces of the pressure, by local index
   std::unique_ptr<struct PoreTransforms> transforms;
   Report seen;
 
   Lubcontact_NS::Vec3 force_on_plate(const Pore_NS::Field &of_pressure,
-                                     const std::vector<Lubcontact_NS::Vec3> &gradient,
+                                     const std::vector<Pore_NS::Lanes> &gradient,
                                      const Plates &) const;
-  void sum_motion(const Pore_NS::Field &of_pressure, double dt, bool whole_velocity, const Plates &,
+  void make_stencils(int groupbits, const Fluid &, const Plates &);
+  template <class Velocity>
+  void sum_motion(const Velocity &, const Lubcontact_NS::Vec3 &upper, const Plates &,
                   std::vector<Pore_NS::Motion> &sums, Pore_NS::WallVelocity &) const;
+  void predict_motion(double dt, const Fluid &, const Plates &);
+  void respond(const Pore_NS::Field &, const Plates &, std::vector<Pore_NS::Motion> &sums,
+               Pore_NS::WallVelocity &) const;
   void solve_constant(const Pore_NS::Field &r, double c, double s, Pore_NS::Field &change) const;
   void see(const Fluid &);
 };

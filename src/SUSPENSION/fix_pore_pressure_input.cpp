@@ -47,7 +47,8 @@ static const std::map<std::string, std::string> KEYWORDS = {
     {"mean", "drained|undrained|layer ..."},
     {"gradient", "gx gy gz"},
     {"coupling", "implicit|explicit|off"},
-    {"tolerance", "t"}};
+    {"tolerance", "t"},
+    {"every", "n"}};
 
 /* ---------------------------------------------------------------------- */
 
@@ -170,6 +171,10 @@ int FixPorePressure::parse_keyword(int iarg, int narg, char **arg)
     using Coupling = PoreField::Coupling;
     const int which = choose(iarg + 1, {"implicit", "explicit", "off"});
     s.coupling = which == 0 ? Coupling::IMPLICIT : which == 1 ? Coupling::EXPLICIT : Coupling::OFF;
+  } else if (key == "every") {
+    s.every = utils::inumeric(FLERR, arg[iarg + 1], false, lmp);
+    if (s.every < 1)
+      error->all(FLERR, iarg + 1, "Fix pore/pressure every must be > 0, but is {}", arg[iarg + 1]);
   } else {
     s.tolerance = positive(iarg + 1);
   }

@@ -41,7 +41,7 @@ struct PoreSettings {
   PoreField::Coupling coupling = PoreField::Coupling::IMPLICIT;
   bool iterate = false;
   double tolerance = 1e-8;
-  int every = 1;
+  int every = 20;    // steps that particles keep their weights
 
   std::vector<Number *> numbers()
   {

@@ -95,14 +95,14 @@ inline CenterGradients center_gradients(const Grid &grid)
 }
 
 // grad p at the centers of the elements, plus a mean one
-inline std::vector<Vec3> gradients(const Grid &grid, const Field &p, const Vec3 &mean = {})
+inline std::vector<Lanes> gradients(const Grid &grid, const Field &p, const Vec3 &mean = {})
 {
   const CenterGradients g = center_gradients(grid);
-  std::vector<Vec3> at(grid.elements());
+  std::vector<Lanes> at(grid.elements());
   for_each_element(grid, [&](int e, const int *corner) {
     Vec3 sum = mean;
     for (int c = 0; c < CORNERS; c++) sum = sum + p[corner[c]] * g.of[c];
-    at[e] = sum;
+    at[e] = {sum};
   });
   return at;
 }

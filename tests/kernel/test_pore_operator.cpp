@@ -125,18 +125,16 @@ TEST(PoreOperator, AffineMotionWithoutChangeOfVolumeHasNoDivergenceInTiltedCells
     const Bed bed = random_bed(rnd, 70, 0.1, c, false, 100);
     const Pores pores(grid_of(c, 1.3, Wall::PERIODIC, Wall::PERIODIC), LAW, VISCOSITY, bed);
     const Grid &g = pores.grid;
-    const Metric m = metric(g);
     const Vec3 row[3] = {{0.4, 1.1, -0.3}, {0.2, -0.9, 0.6}, {-1.2, 0.5, 0.5}};    // trace 0
     std::vector<Motion> motion(g.elements());
     for (std::size_t i = 0; i < bed.size(); i++) {
-      int n = 0;
-      for_each_reached(g, m, bed.x[i], [&](int e, double, const Vec3 &d) {
+      for_each_reached(g, bed.x[i], [&](int e, int r, int a, const Vec3 &d) {
         const int ex = e % g.nx, ez = e / g.nx % g.nz, ey = e / (g.nx * g.nz);
         const Vec3 x = center(g, ex, ey, ez) +
             Vec3{d.x * c.xprd / g.nx + d.y * c.xy / g.ny + d.z * c.xz / g.nz,
                  d.y * c.yprd / g.ny + d.z * c.yz / g.nz, d.z * c.zprd / g.nz};
         const Vec3 v{dot(row[0], x), dot(row[1], x), dot(row[2], x)};
-        motion[e].velocity = motion[e].velocity + pores.stencils[i].weight[n++] * v;
+        add_to(motion[e].velocity, pores.stencils[i].weight[r][a], {v});
       });
     }
     // around the cell the velocity jumps: inner nodes only
