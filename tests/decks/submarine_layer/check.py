@@ -14,7 +14,7 @@ for old in (*Path("runs").iterdir(), *Path().glob("*.csv"), *Path().glob("*.txt"
 HEIGHT = 2e-3
 LOAD, SLOPE = (2500 - 1041) * 9.81 * 0.58 * HEIGHT, np.radians(25)
 # a permeability that makes H^2/k that of the example
-SHORT = {"N": 300, "height": HEIGHT, "factor": 0.17, "settle": 1.2, "rest": 0.2, "until": 2.0, "interval": 0.1,
+SHORT = {"N": 300, "height": HEIGHT, "factor": 0.17, "settle": 1.2, "rest": 0.2, "until": 3.0, "interval": 0.1,
          "packing": deck.ROOT / "examples" / "packing" / "plates.lmp"}
 
 
@@ -27,14 +27,15 @@ def tilt(name, settling):
 
 
 loose, dense = tilt("loose", 0.6), tilt("dense", 0.02)
-late = loose["time"] > 0.5
+late = loose["time"] > 0.8
 deck.expect("volume fractions of the starts", loose["phi"][0] < 0.565 and dense["phi"][0] > 0.585, f"{loose['phi'][0]:.4f} {dense['phi'][0]:.4f}")
 for name, run in (("loose", loose), ("dense", dense)):
-    deck.expect_close(f"{name}: the floor carries grains and fluid", run["pressure"][late], LOAD * np.cos(SLOPE), rtol=0.02)
+    deck.expect_close(f"{name}: the floor carries grains and fluid", run["pressure"][late].mean(), LOAD * np.cos(SLOPE), rtol=0.01)
     deck.expect(f"{name}: profiles", len(Path(f"runs/{name}.out.profile").read_text(encoding="ascii").splitlines()) > 100)
 deck.expect_close("dense: and their weight along the slope", dense["shear"][late].mean(), LOAD * np.sin(SLOPE), rtol=0.1)
-deck.expect("the fluid carries part of the loose layer", loose["bottom"][late].mean() > 0.1 * LOAD, f"{loose['bottom'][late].mean():.3f} Pa of {LOAD:.3f}")
-deck.expect("it sucks at the dense one", dense["bottom"][late].mean() < -0.05 * LOAD, f"{dense['bottom'][late].mean():.3f} Pa")
+bottom = [run["bottom"][late].mean() / LOAD for run in (loose, dense)]
+deck.expect("the fluid carries part of the loose layer and sucks at the dense one", bottom[1] < 0 < bottom[1] + 0.2 < bottom[0],
+            "{0:.3f} and {1:.3f} of the weight".format(*bottom))
 deck.expect("which dilates", dense["phi"][-1] < dense["phi"][0], f"{dense['phi'][0]:.4f} to {dense['phi'][-1]:.4f}")
 speeds = [run["speed"][late].mean() * 1e3 for run in (loose, dense)]
 deck.expect("and flows more slowly", speeds[0] > 3 * speeds[1], "{0:.3f} and {1:.3f} mm/s".format(*speeds))
