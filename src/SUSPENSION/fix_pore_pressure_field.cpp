@@ -52,7 +52,8 @@ const char *const PoreField::NO_LIBRARY =
 /* ---------------------------------------------------------------------- */
 
 PoreField::PoreField(LAMMPS *lmp) :
-    Pointers(lmp), age(0), nlocal(-1), yield_of_plate(0.0), fresh(false), measured(false)
+    PoreSolver(lmp), age(0), made_for(-1.0), nlocal(-1), yield_of_plate(0.0), fresh(false),
+    measured(false)
 {
 }
 
@@ -82,12 +83,6 @@ void PoreField::set_grid(const Pore_NS::Grid &grid)
     p.assign(grid.nodes(), 0.0);
     age = 0;
   }
-}
-
-void PoreField::take_pressure(const std::vector<double> &values, int solutions)
-{
-  p = values;
-  age = solutions;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -227,7 +222,7 @@ void PoreField::predict_motion(double dt, const Fluid &fluid, const Plates &plat
     upper = upper + dt * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
   }
   // weights and pressures of the last step have made the same forces
-  const bool known = !fresh && age > 0 && is_same_outside(fluid, seen.outside);
+  const bool known = !fresh && age > 0 && is_same_outside(fluid, outside);
   if (dt > 0.0 && !known)
     Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, of_pores);
   const Suspension_NS::CellFlow cell(domain);
@@ -354,83 +349,4 @@ void PoreField::add_forces(const Fluid &fluid, const Plates &plates)
     f[2] += pushed[one.i].z;
   }
   see(fluid);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void PoreField::see(const Fluid &fluid)
-{
-  seen.outside = fluid;
-  seen.given_mean = fluid.mean;
-  seen.mean = mean_pressure(lattice, p) + fluid.mean;
-  seen.largest = 0.0;
-  for (const double value : p) seen.largest = MAX(seen.largest, fabs(value + fluid.mean));
-  const bool plates = lattice.has_plates();
-  seen.lower = plates ? layer_mean(lattice, p, 0) : seen.mean;
-  seen.upper = plates ? layer_mean(lattice, p, lattice.ny) : seen.mean;
-  seen.k_min = HUGE_VAL;
-  seen.k_max = 0.0;
-  for (const Pore_NS::Element &e : elements) {
-    seen.k_min = MIN(seen.k_min, e.permeability);
-    seen.k_max = MAX(seen.k_max, e.permeability);
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
-double PoreField::dissipation() const
-{
-  return elements.empty()
-      ? 0.0
-      : Pore_NS::dissipation(lattice, matrix, mobility, seen.outside.gradient, p);
-}
-
-/* ----------------------------------------------------------------------
-   what advance() has used are velocities that it has predicted from the pressure before
-------------------------------------------------------------------------- */
-
-void PoreField::measure_flow(const Vec3 &upper_plate)
-{
-  if (measured || atom->nlocal != nlocal) return;
-  measured = true;
-  of_deposit.velocity = upper_plate;
-  predict_motion(0.0, {}, of_deposit);
-  seen.flux = wall_flux(
-      lattice, imbalance(lattice, matrix, mobility, motion, wall, seen.outside.gradient, p));
-}
-
-/* ---------------------------------------------------------------------- */
-
-std::vector<PoreField::Layer> PoreField::profile() const
-{
-  std::vector<Layer> layers(lattice.ny);
-  if (elements.empty()) return layers;
-  const std::vector<Lanes> gradient = gradients(lattice, p, seen.outside.gradient);
-  const int size = lattice.layer_size();
-  for (int j = 0; j < lattice.ny; j++) {
-    Layer &layer = layers[j];
-    const int up = j + 1 < lattice.layers() ? j + 1 : 0;
-    layer.y = lattice.cell.origin.y + (j + 0.5) / lattice.ny * lattice.cell.yprd;
-    layer.p = 0.5 * (layer_mean(lattice, p, j) + layer_mean(lattice, p, up)) + seen.given_mean;
-    layer.phi = layer.u_y = layer.q_y = 0.0;
-    for (int n = j * size; n < (j + 1) * size; n++) {
-      layer.phi += elements[n].phi / size;
-      layer.u_y += motion.empty() ? 0.0 : motion[n].velocity.y / size;
-      layer.q_y -= mobility[n] * gradient[n].y / size;
-    }
-  }
-  return layers;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double PoreField::memory_usage() const
-{
-  return static_cast<double>(lattice.elements() *
-                                 (2 * sizeof(Pore_NS::Moments) + sizeof(Pore_NS::Element) +
-                                  3 * sizeof(Motion) + sizeof(Vec3) + 3 * sizeof(double)) +
-                             6 * lattice.nodes() * sizeof(double) +
-                             particles.capacity() *
-                                 (sizeof(Particle) + sizeof(Pore_NS::Stencil) + 2 * sizeof(Lanes)) +
-                             pushed.capacity() * sizeof(Vec3));
 }

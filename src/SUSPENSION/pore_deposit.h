@@ -31,7 +31,6 @@
 
 namespace LAMMPS_NS::Pore_NS {
 
-static constexpr int REACH = 27;        // elements of a particle
 static constexpr double FLAT = 0.01;    // least variance that the bracket uses, in spacings^2
 
 // ---- the spline
@@ -303,8 +302,8 @@ inline void add_motion(const Stencil &s, const Lanes &velocity, Motion *sums)
   }
 }
 
-// Added to b_e, 1/density: sum_i |W_ei|/m_i sum_e' |W_e'i| V_e'. inverse_mass is 0 if no force moves
-// the particle.
+// Added to b_e, 1/density: sum_i |W_ei|/m_i sum_e' |W_e'i| V_e'. inverse_mass is 0 if no force
+// moves the particle.
 inline void add_bound(const Stencil &s, double inverse_mass, double element_volume, double *sums)
 {
   double reach = 0.0;
