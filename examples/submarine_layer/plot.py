@@ -21,6 +21,7 @@ COLORS = dict(zip(STARTS, ("#b45f06", "#6aa84f", "#1f4e79")))
 SCENE = ("start", "depth", "weight", "slope", "viscosity", "radius", "modulus", "factor")
 NAMES = ("v_now", "v_solid", "v_speed", "f_pores[1]")
 AT = (5, 115)    # s, of the profiles
+SPANS = ((0.5, 2), (2, 10), (20, 40), (50, 70), (100, 120))
 STEADY = "medium"    # whose last quarter gives the model its steady flow
 
 
@@ -103,18 +104,14 @@ def smooth(time, values, span=2.0):
     return tuple(np.convolve(column, np.ones(rows) / rows, "valid") for column in (time, values))
 
 
-def when(time, values, wanted):
-    """First time at which values reach wanted, on means over two seconds."""
-    time, values = smooth(time, values)
-    return time[np.argmax(values > wanted)] if (values > wanted).any() else np.inf
-
-
-def numbers(name, run, top):
-    early = smooth(run[0], run[3])[1][:40]
-    v, p = (np.interp(5, *smooth(run[0], run[n])) for n in (2, 3))
-    phi, speed, pressure = last(run)
-    print(f"{name:14s} {run[1][0]:.4f} {early[np.argmax(np.abs(early))]:9.2f} {v * 1e3:9.3f} {p:8.2f} {when(run[0], run[2], top / 2):8.1f} "
-          f"{phi:8.4f} {speed * 1e3:9.3f} {pressure:8.2f}")
+def numbers(name, run, wanted):
+    """Means over spans of time, of run and model."""
+    for low, high in SPANS:
+        inside, there = ((rows[0] > low) & (rows[0] <= high) for rows in (run, wanted))
+        if inside.any():
+            pairs = " ".join(f"{run[n][inside].mean() * unit:9.{digits}f} {wanted[n][there].mean() * unit:9.{digits}f}"
+                             for n, unit, digits in ((2, 1e3, 2), (3, 1, 1), (1, 1, 4)))
+            print(f"{name:7s} {low:4g} to {high:4g} s {pairs}")
 
 
 def main():
@@ -123,15 +120,14 @@ def main():
     flow = last(run)
     i = number(scene, flow[1])
     print(f"steady flow: I {i:.4g}, volume fraction {flow[0]:.4f}, surface {flow[1] * 1e3:.3f} mm/s, weight {scene['weight']:.2f} Pa")
-    print(f"{'':14s} {'phi':>6s} {'largest p':>9s} {'v(5 s)':>9s} {'p(5 s)':>8s} {'half v':>8s} {'last phi':>8s} {'v, mm/s':>9s} {'p, Pa':>8s}")
+    print(f"{'':20s} " + " ".join(f"{name:>9s} {'model':>9s}" for name in ("v, mm/s", "p, Pa", "phi")))
     fig, axes = plt.subplots(2, 2, figsize=(11, 7.5))
     for start, (scene, run) in runs.items():
         color = COLORS[start]
         layer = model.Layer(scene["start"], scene["depth"], scene["weight"], np.radians(scene["slope"]), scene["viscosity"], scene["radius"],
                             (i, flow[0]), modulus=scene["modulus"], factor=scene["factor"])
         wanted = layer.run(run[0][-1])
-        numbers(start, run, flow[1])
-        numbers("  model", wanted, flow[1])
+        numbers(start, run, wanted)
         for ax, n, unit in zip(axes.flat, (2, 3, 1), (1e3, 1, 1)):
             ax.plot(run[0], run[n] * unit, color=color, lw=0.5, alpha=0.4)
             ax.plot(*smooth(run[0], run[n] * unit), color=color, lw=1.4, label=f"{start}, {scene['start']:.3f}")
