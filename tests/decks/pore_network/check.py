@@ -1,4 +1,4 @@
-# ranks: 1 2 4
+# ranks: 1 4
 """The pressure in the network of the pores: permeability, momentum, power, ranks, restart, flip."""
 import numpy as np
 
