@@ -1,6 +1,7 @@
 // Velocities of spheres in a periodic fluid under given loads: sums over all waves by an
 // independent program, converged to 1e-6, viscosity 1, no mean flow. Forces, torques and stresslets
-// are those on the fluid. Set 1: 40 equal spheres in a cube; set 2: radii 1, 1/2 and 1/3 in a triclinic cell.
+// are those on the fluid. Set 1: 40 equal spheres in a cube; set 2: radii 1, 1/2 and 1/3 in a
+// triclinic cell.
 
 // clang-format off
 struct MobilityRow {
