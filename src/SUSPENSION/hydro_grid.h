@@ -18,6 +18,7 @@
 #include "pore_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -56,24 +57,37 @@ struct Span {
 
 inline Span span(double center, double reach)
 {
-  return {static_cast<int>(std::ceil(center - reach)),
-          static_cast<int>(std::floor(center + reach))};
+  // as floor() and ceil(), which are calls on older processors
+  const double low = center - reach, high = center + reach;
+  const int first = static_cast<int>(low), last = static_cast<int>(high);
+  return {first + (first < low), last - (last > high)};
 }
 
-// Points of a row along x, and the Gaussian at them.
+// Points of a line along x within reach: x^m exp(-x^2/2W^2) for m = 0 to 3 at each of them, as
+// columns to add to, and as rows to sum up.
+struct Line {
+  int first = 0, number = 0;
+  double y = 0.0, gauss = 0.0;    // distance of the line along y, exp(-y^2/2W^2)
+  std::vector<double> column[4];
+  std::vector<std::array<double, 4>> row;
+};
+
+// What a layer cuts out of a line: its points and their Gaussians, but for a factor.
 struct Row {
   int i, j, k;    // the first one
   int number;
   double y, z;    // distance from the center, the same for all
-  std::vector<double> x, weight;
+  double factor;
+  const double *column[4];
+  const std::array<double, 4> *row;
 };
 
-// Calls f(row) for all rows with points within reach of the center. Two exponentials a row: those
-// of its points follow from that of the nearest one to the center.
+// Calls f(row) for all rows with points within reach of the center. In a cell that is leaned along
+// x only, all layers have the same lines.
 class Stencil {
  public:
   explicit Stencil(const Lattice &lattice) :
-      dx(lattice.cell.xprd / lattice.nx), dy(lattice.cell.yprd / lattice.ny),
+      dx(lattice.cell.xprd / lattice.nx), per_dx(1.0 / dx), dy(lattice.cell.yprd / lattice.ny),
       dz(lattice.cell.zprd / lattice.nz), y_to_x(lattice.cell.xy / lattice.ny),
       z_to_x(lattice.cell.xz / lattice.nz), z_to_y(lattice.cell.yz / lattice.nz),
       origin(lattice.cell.origin), reach(lattice.reach),
@@ -81,52 +95,80 @@ class Stencil {
   {
     const int most = static_cast<int>(reach / dx) + 2;
     for (int m = 0; m <= most; m++) steps.push_back(std::exp(-half * m * m * dx * dx));
-    row.x.resize(2 * most + 1);
-    row.weight.resize(2 * most + 1);
+    lines.resize(2 * (static_cast<std::size_t>(reach / dy) + 2));
+    for (Line &line : lines) {
+      for (auto &column : line.column) column.resize(2 * most + 1);
+      line.row.resize(2 * most + 1);
+    }
   }
 
   template <class F> void for_each_row(const Vec3 &center, F &&f)
   {
     const Vec3 c = center - origin;
+    const bool upright = z_to_x == 0.0 && z_to_y == 0.0;
+    const Span all = span(c.y / dy, reach / dy);
+    if (upright)
+      for (int j = all.first; j <= all.last; j++)
+        fill(lines[j - all.first], j * dy - c.y, j * y_to_x - c.x, reach * reach);
+
     const Span layers = span(c.z / dz, reach / dz);
-    for (row.k = layers.first; row.k <= layers.last; row.k++) {
-      row.z = row.k * dz - c.z;
-      const double r2 = reach * reach - row.z * row.z, to_y = row.k * z_to_y - c.y;
-      const Span rows = span(-to_y / dy, std::sqrt(r2 > 0.0 ? r2 : 0.0) / dy);
-      for (row.j = rows.first; row.j <= rows.last; row.j++) {
-        row.y = row.j * dy + to_y;
-        const double rest = r2 - row.y * row.y;
-        const double to_x = row.j * y_to_x + row.k * z_to_x - c.x;
-        const Span points = span(-to_x / dx, std::sqrt(rest > 0.0 ? rest : 0.0) / dx);
-        row.i = points.first;
-        row.number = points.last - points.first + 1;
-        if (row.number > 0) {
-          fill(to_x);
-          f(static_cast<const Row &>(row));
-        }
+    for (int k = layers.first; k <= layers.last; k++) {
+      const double z = k * dz - c.z, r2 = reach * reach - z * z;
+      const double of_layer = norm * std::exp(-half * z * z), to_y = k * z_to_y - c.y;
+      const Span rows = span(-to_y / dy, root(r2) / dy);
+      for (int j = rows.first; j <= rows.last; j++) {
+        const double to_x = j * y_to_x + k * z_to_x - c.x;
+        Line &line = lines[upright ? j - all.first : 0];
+        if (!upright) fill(line, j * dy + to_y, to_x, r2);
+        const Span points = span(-to_x * per_dx, root(r2 - line.y * line.y) * per_dx);
+        const int from = std::max(points.first, line.first) - line.first;
+        const int number = std::min(points.last - line.first + 1, line.number) - from;
+        if (number <= 0) continue;
+        f(Row{line.first + from,
+              j,
+              k,
+              number,
+              line.y,
+              z,
+              of_layer * line.gauss,
+              {&line.column[0][from], &line.column[1][from], &line.column[2][from],
+               &line.column[3][from]},
+              &line.row[from]});
       }
     }
   }
 
  private:
-  double dx, dy, dz, y_to_x, z_to_x, z_to_y;
+  double dx, per_dx, dy, dz, y_to_x, z_to_x, z_to_y;
   Vec3 origin;
   double reach, half, norm;
   std::vector<double> steps;    // exp(-(m dx)^2/2W^2)
-  Row row;
+  std::vector<Line> lines;
 
-  void fill(double to_x)
+  static double root(double square) { return std::sqrt(square > 0.0 ? square : 0.0); }
+
+  // Two exponentials a line: those of its points follow from that of the nearest one to the center.
+  void fill(Line &line, double y, double to_x, double r2) const
   {
-    const int nearest = static_cast<int>(std::lround(-to_x / dx)) - row.i;
-    const int near = std::max(0, std::min(nearest, row.number - 1));    // but for rounding it is
-    const double x0 = (row.i + near) * dx + to_x;
-    const double top = norm * std::exp(-half * (x0 * x0 + row.y * row.y + row.z * row.z));
+    line.y = y;
+    line.gauss = std::exp(-half * y * y);
+    const Span points = span(-to_x / dx, root(r2 - y * y) / dx);
+    line.first = points.first;
+    line.number = points.last - points.first + 1;
+    if (line.number <= 0) return;
+    const int nearest = static_cast<int>(std::lround(-to_x / dx)) - points.first;
+    const int near = std::max(0, std::min(nearest, line.number - 1));    // but for rounding it is
+    const double x0 = (points.first + near) * dx + to_x;
+    const double top = std::exp(-half * x0 * x0);
     const double up = std::exp(-2.0 * half * x0 * dx), down = 1.0 / up;
-    for (int n = 0; n < row.number; n++) row.x[n] = (row.i + n) * dx + to_x;
     double power = top;
-    for (int n = near; n < row.number; n++, power *= up) row.weight[n] = power * steps[n - near];
+    const auto put = [&](int n, double weight) {
+      const double x = (points.first + n) * dx + to_x;
+      for (int m = 0; m < 4; m++, weight *= x) line.column[m][n] = line.row[n][m] = weight;
+    };
+    for (int n = near; n < line.number; n++, power *= up) put(n, power * steps[n - near]);
     power = top * down;
-    for (int n = near - 1; n >= 0; n--, power *= down) row.weight[n] = power * steps[near - n];
+    for (int n = near - 1; n >= 0; n--, power *= down) put(n, power * steps[near - n]);
   }
 };
 
@@ -140,10 +182,10 @@ struct RowWeights {
   {
     const double u = 1.0 / (width * width);
     const double l = ((row.y * row.y + row.z * row.z) * u - 3.0) * u;
-    force = 1.0 + body.c_force * l;
-    force_xx = body.c_force * u * u;
-    dipole = u * (1.0 + body.c_dipole * (l - 2.0 * u));
-    dipole_xx = u * u * u * body.c_dipole;
+    force = row.factor * (1.0 + body.c_force * l);
+    force_xx = row.factor * body.c_force * u * u;
+    dipole = row.factor * u * (1.0 + body.c_dipole * (l - 2.0 * u));
+    dipole_xx = row.factor * u * u * u * body.c_dipole;
   }
 };
 
@@ -154,13 +196,15 @@ inline void spread(Stencil &stencil, const Lattice &lattice, const Brick &brick,
   const std::size_t points = brick.points();
   stencil.for_each_row(center, [&](const Row &row) {
     const RowWeights w(body, lattice.width, row);
-    const double *x = row.x.data(), *weight = row.weight.data();
+    const double *p0 = row.column[0], *p1 = row.column[1], *p2 = row.column[2];
+    const double *p3 = row.column[3];
     const auto add = [&](double force, const Vec3 &c, double *f) {
       const double c0 = c.y * row.y + c.z * row.z;
       const double a0 = force * w.force + c0 * w.dipole, a1 = c.x * w.dipole;
       const double a2 = force * w.force_xx + c0 * w.dipole_xx, a3 = c.x * w.dipole_xx;
+#pragma GCC ivdep
       for (int n = 0; n < row.number; n++)
-        f[n] += weight[n] * (a0 + x[n] * (a1 + x[n] * (a2 + x[n] * a3)));
+        f[n] += (a0 * p0[n] + a1 * p1[n]) + (a2 * p2[n] + a3 * p3[n]);
     };
     double *f = field + brick.index(row.i, row.j, row.k);
     add(load.force.x, load.dipole.x, f);
@@ -177,24 +221,26 @@ inline Motion interpolate(Stencil &stencil, const Lattice &lattice, const Brick 
   Motion motion;
   stencil.for_each_row(center, [&](const Row &row) {
     const RowWeights w(body, lattice.width, row);
-    const double *x = row.x.data(), *weight = row.weight.data();
-    const auto add = [&](const double *u, double &velocity, Vec3 &gradient) {
-      double m0 = 0.0, m1 = 0.0, m2 = 0.0, m3 = 0.0;
-      for (int n = 0; n < row.number; n++) {
-        const double t = weight[n] * u[n], tx = t * x[n], txx = tx * x[n];
-        m0 += t;
-        m1 += tx;
-        m2 += txx;
-        m3 += txx * x[n];
-      }
-      velocity += w.force * m0 + w.force_xx * m2;
-      const double even = w.dipole * m0 + w.dipole_xx * m2;
-      gradient = gradient + Vec3{w.dipole * m1 + w.dipole_xx * m3, row.y * even, row.z * even};
-    };
     const double *u = field + brick.index(row.i, row.j, row.k);
-    add(u, motion.velocity.x, motion.gradient.x);
-    add(u + points, motion.velocity.y, motion.gradient.y);
-    add(u + 2 * points, motion.velocity.z, motion.gradient.z);
+    std::array<double, 4> mx{}, my{}, mz{};    // moments along x
+    for (int n = 0; n < row.number; n++) {
+      const std::array<double, 4> p = row.row[n];
+      const double ux = u[n], uy = u[n + points], uz = u[n + 2 * points];
+      for (int m = 0; m < 4; m++) {
+        mx[m] += ux * p[m];
+        my[m] += uy * p[m];
+        mz[m] += uz * p[m];
+      }
+    }
+    const auto add = [&](const std::array<double, 4> &of, double &velocity, Vec3 &gradient) {
+      velocity += w.force * of[0] + w.force_xx * of[2];
+      const double even = w.dipole * of[0] + w.dipole_xx * of[2];
+      gradient =
+          gradient + Vec3{w.dipole * of[1] + w.dipole_xx * of[3], row.y * even, row.z * even};
+    };
+    add(mx, motion.velocity.x, motion.gradient.x);
+    add(my, motion.velocity.y, motion.gradient.y);
+    add(mz, motion.velocity.z, motion.gradient.z);
   });
   const double volume = lattice.point_volume();
   return {volume * motion.velocity, volume * motion.gradient};
@@ -234,11 +280,10 @@ inline Brick brick_for(const Lattice &lattice, const Vec3 &low, const Vec3 &high
   return b;
 }
 
-// Points for a spacing: even numbers with small factors only, which transforms like. In a tilted
-// cell opposite faces come closer, and waves with them.
+// Points for a spacing: a number with small factors only, which transforms like.
 inline int good_number(double least)
 {
-  for (int n = 2;; n += 2) {
+  for (int n = 2;; n++) {
     if (n < least) continue;
     int rest = n;
     for (const int factor : {2, 3, 5, 7})

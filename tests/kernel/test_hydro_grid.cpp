@@ -44,9 +44,10 @@ Load some_load(Random &rnd)
 // each point once, with its own exponential
 TEST(HydroGrid, StencilIsTheGaussianAtAllPointsWithinReach)
 {
-  const Lattice l = tilted_lattice();
   Random rnd(11);
-  for (int trial = 0; trial < 5; trial++) {
+  for (int trial = 0; trial < 8; trial++) {
+    Lattice l = tilted_lattice();
+    if (trial % 2) l.cell.xz = l.cell.yz = 0.0;
     const Vec3 center = rnd.vector(9.0), g = lattice_place(l, center);
     const Brick b = brick_for(l, g, g);
     std::vector<double> expected(b.points()), found(b.points());
@@ -60,8 +61,13 @@ TEST(HydroGrid, StencilIsTheGaussianAtAllPointsWithinReach)
     stencil.for_each_row(center, [&](const Row &row) {
       for (int n = 0; n < row.number; n++) {
         const Vec3 y = point(l, row.i + n, row.j, row.k) - center;
-        expect_near(y, {row.x[n], row.y, row.z}, 1e-12);
-        found[b.index(row.i + n, row.j, row.k)] += row.weight[n];
+        EXPECT_NEAR(y.y, row.y, 1e-12);
+        EXPECT_NEAR(y.z, row.z, 1e-12);
+        for (int m = 0; m < 4; m++) {
+          EXPECT_NEAR(row.column[m][n], row.column[0][n] * std::pow(y.x, m), 1e-12);
+          EXPECT_EQ(row.column[m][n], row.row[n][m]);
+        }
+        found[b.index(row.i + n, row.j, row.k)] += row.factor * row.column[0][n];
       }
     });
     for (std::size_t n = 0; n < found.size(); n++) EXPECT_NEAR(found[n], expected[n], 1e-14);
@@ -167,7 +173,13 @@ TEST(HydroGrid, NumbersOfPointsHaveSmallFactors)
   EXPECT_EQ(good_number(9.7), 10);
   EXPECT_EQ(good_number(12.0), 12);
   EXPECT_EQ(good_number(21.5), 24);
+  EXPECT_EQ(good_number(24.8), 25);
   EXPECT_EQ(good_number(0.1), 2);
+  EXPECT_EQ(span(0.5, 2.0).first, -1);    // whole numbers between two
+  EXPECT_EQ(span(0.5, 2.0).last, 2);
+  EXPECT_EQ(span(-2.5, 1.5).first, -4);
+  EXPECT_EQ(span(-2.5, 1.4).last, -2);
+  EXPECT_EQ(span(-2.5, 1.5).last, -1);
 }
 
 }    // namespace
