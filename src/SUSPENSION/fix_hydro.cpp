@@ -48,7 +48,7 @@ static constexpr int LOAD = 0, BEFORE = NUMBERS, MOTION = 2 * NUMBERS, NUM_HELD 
 FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new HydroSettings()), field(new HydroField(lmp, this)),
     own(new ExclusiveParticles(lmp)), inertia(new SpinInertia()), list(nullptr), deforms(false),
-    held(nullptr), force_of_atom(nullptr), work(0.0), total{}, residual(0.0), iterations(0)
+    held(nullptr), force_of_atom(nullptr), work(0.0), total{}
 {
   if (!HydroField::has_library()) error->all(FLERR, 2, "Fix hydro {}", HydroField::NO_LIBRARY);
   parse(narg, arg);
@@ -110,12 +110,14 @@ void FixHydro::measure_radius()
 void FixHydro::setup(int /*vflag*/)
 {
   deforms = !modify->get_fix_by_style("^deform").empty();
-  if (state.solutions == 0.0) solve(FIRST * settings->tolerance);
+  const double viscosity = viscosity_now();
+  if (state.solutions == 0.0) solve(FIRST * settings->tolerance, viscosity);
   act(true);
 }
 
 void FixHydro::post_force(int /*vflag*/)
 {
+  const double viscosity = viscosity_now();
   double e[5], square = 0.0;
   find_strain(e);
   for (const double value : e) square += value * value;
@@ -123,7 +125,7 @@ void FixHydro::post_force(int /*vflag*/)
   const double steps = static_cast<double>(update->ntimestep) - state.step;
   const bool due = settings->every ? steps >= settings->every
                                    : state.strain >= settings->strain * (1.0 - 1e-9);
-  if (due) solve(settings->tolerance);
+  if (due) solve(settings->tolerance, viscosity);
   act(false);
 }
 
@@ -150,11 +152,9 @@ static Fluid_NS::Flow flow_at(const Domain *domain, bool deforms, const double *
                              get_vector(domain->boxlo), get_vector(domain->h_ratelo));
 }
 
-/* ----------------------------------------------------------------------
-   M (F, T, S) = (v', w', -E). Lengths in widths, so that all numbers have the same unit
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void FixHydro::solve(double tolerance)
+double FixHydro::viscosity_now()
 {
   if (!settings->viscosity.is_number()) modify->clearstep_compute();
   settings->viscosity.evaluate(lmp);
@@ -164,9 +164,18 @@ void FixHydro::solve(double tolerance)
   if (!eta || !(*eta > 0.0))
     error->all(FLERR, "Fix hydro viscosity must be > 0, but is {} at step {}", eta ? *eta : 0.0,
                update->ntimestep);
-  state.viscosity = *eta;
+  return *eta;
+}
+
+/* ----------------------------------------------------------------------
+   M (F, T, S) = (v', w', -E). Lengths in widths, so that all numbers have the same unit
+------------------------------------------------------------------------- */
+
+void FixHydro::solve(double tolerance, double viscosity)
+{
+  state.viscosity = viscosity;
   neighbor->build_one(list);
-  field->prepare(settings->field, groupbit, state.radius, *eta, list);
+  field->prepare(settings->field, groupbit, state.radius, viscosity, list);
 
   const int nlocal = atom->nlocal;
   const std::size_t size = static_cast<std::size_t>(nlocal) * NUMBERS;
@@ -222,11 +231,11 @@ void FixHydro::solve(double tolerance)
   };
   const auto found = Pore_NS::solve_by_products(apply, precondition, product, right, tolerance,
                                                 MOST_ITERATIONS, x);
-  iterations = found.iterations;
-  residual = found.residual;
-  if (!(residual <= tolerance) && comm->me == 0)
-    error->warning(FLERR, "Fix hydro: residual {:.3g} after {} iterations at step {}", residual,
-                   iterations, update->ntimestep);
+  state.iterations = found.iterations;
+  state.residual = found.residual;
+  if (!(found.residual <= tolerance) && comm->me == 0)
+    error->warning(FLERR, "Fix hydro: residual {:.3g} after {} iterations at step {}",
+                   found.residual, found.iterations, update->ntimestep);
 
   scale(x, x);
   for (int i = 0; i < nlocal; i++) {
@@ -293,8 +302,8 @@ void FixHydro::act(bool full)
 
 double FixHydro::compute_vector(int n)
 {
-  if (n == Output::ITERATIONS) return iterations;
-  if (n == Output::RESIDUAL) return residual;
+  if (n == Output::ITERATIONS) return state.iterations;
+  if (n == Output::RESIDUAL) return state.residual;
   if (n == Output::SOLUTIONS) return state.solutions;
   if (n == Output::PHI) return state.phi;
   double mine[5] = {}, all[5];

@@ -75,8 +75,6 @@ class FixHydro : public Fix {
   double **held;             // of each particle: load, the one before, velocity and spin
   double **force_of_atom;    // for output: force and torque of the fluid
   double work, total[3];     // of this rank: heat without stresslets, force of the fluid
-  double residual;
-  int iterations;
 
   // numbers only: a restart file holds it
   struct State {
@@ -85,6 +83,7 @@ class FixHydro : public Fix {
     double strain = 0.0;
     double radius = 0.0;                                                     // mean, in this run
     double phi = 0.0, viscosity = 0.0, translation = 1.0, rotation = 2.0;    // of the last one
+    double iterations = 0.0, residual = 0.0;
   } state;
 
   void parse(int, char **);
@@ -94,7 +93,8 @@ class FixHydro : public Fix {
   void check_order() const;
   void measure_radius();
   void find_strain(double *) const;
-  void solve(double tolerance);
+  double viscosity_now();
+  void solve(double tolerance, double viscosity);
   void act(bool full);
 };
 
