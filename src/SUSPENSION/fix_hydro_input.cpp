@@ -40,10 +40,10 @@ static const std::map<std::string, std::string> KEYWORDS = {{"viscosity", "eta|p
                                                             {"spacing", "h"},
                                                             {"support", "s"},
                                                             {"reach", "rc"},
-                                                            {"hold", "auto|z_force z_torque"}};
+                                                            {"hold", "auto|z_force ..."}};
 
 // fixes that may come later: they read forces, or set them whatever they were
-static const char *const READERS = "^(ave|print|store|setforce|freeze|deform)";
+static const char *const READERS[] = {"setforce", "freeze", "store/force"};
 
 /* ----------------------------------------------------------------------
    fix ID group hydro grid keyword value ...
@@ -137,8 +137,8 @@ void FixHydro::init()
     error->all(FLERR, "Fix hydro: {}; give it to fix hydro: viscosity eta",
                Suspension_NS::why_no_viscosity(lmp));
   own->start(groupbit);
-  check_cell();
   check_others();
+  check_cell();
   check_order();
   inertia->find(lmp);
   measure_radius();
@@ -220,7 +220,7 @@ void FixHydro::check_others()
                            who, name, kind);
       });
   }
-  if (neighbor->exclude)
+  if (neighbor->nex_type || neighbor->nex_group || neighbor->nex_mol)
     error->all(FLERR,
                "Fix hydro needs all pairs, of which neigh_modify exclude leaves some out: use "
                "neigh_modify exclude none");
@@ -234,10 +234,13 @@ void FixHydro::check_order() const
 {
   bool later = false;
   for (const auto &other : modify->get_fix_list()) {
+    const std::string kind = other->style;
+    const bool reads = std::any_of(std::begin(READERS), std::end(READERS), [&](const char *reader) {
+      return kind == reader;
+    });
     if (other == this)
       later = true;
-    else if (later && (modify->get_fix_mask(other) & FixConst::POST_FORCE) &&
-             !utils::strmatch(other->style, READERS))
+    else if (later && !reads && (modify->get_fix_mask(other) & FixConst::POST_FORCE))
       error->all(FLERR,
                  "Fix {} {} may add forces after fix hydro, which needs all other forces: define "
                  "it before fix hydro",

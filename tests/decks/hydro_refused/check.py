@@ -44,8 +44,8 @@ CASES = [    # lines in place of the fix, message, underlined word or None, vari
     ("group none id 9\n" + F.replace("all", "none"), "has no particles in its group", None),
     (F + "\nfix i all hydro grid every 1", "More than one fix hydro", None),
     (F + "\nfix p all pore/pressure 1", "describe the same fluid twice: remove one of them", None),
-    ("group a id 1\ngroup b id 2\nfix c all rheometer/plates a b rate 0 gap 9\n" + F, "the plates of fix c would be spheres", None),
-    ("fix b some drag/background 1\n" + F, "has the drag of 2 particles already: remove fix b drag/background", None),
+    ("unfix move\ngroup a id 1\ngroup b id 2\ngroup m id 3\nfix c m rheometer/plates a b rate 0 gap\n" + F, "the plates of fix c would be spheres", None, {"boundary": "p m p"}),
+    (F + "\nfix b some drag/background 1", "has the drag of 2 particles already: remove fix b drag/background", None),
     ("unfix move\nfix o all overdamped/sphere 1\n" + F, "fix o overdamped/sphere, which has a drag of its own: use fix nve/sphere", None),
     ("neigh_modify exclude group some some\n" + F, "use neigh_modify exclude none", None),
     (F + "\nfix g all gravity 1 vector 0 -1 0", "Fix g gravity may add forces after fix hydro, which needs all other forces: "
