@@ -244,8 +244,36 @@ TEST(HydroMobility, DragOfASimpleCubicArray)
   }
 }
 
-// Viscosity of arrays of free spheres without films, of an independent program, and the expansion
-// of N. Zuzovsky, P.M. Adler, H. Brenner, Phys. Fluids 26, 1714 (1983).
+// Viscosity of free spheres in a straining flow along number n of the load: M of (F, T, S) is
+// (v', w', -E) with F = T = 0.
+double viscosity_of(const Spheres &s, int n)
+{
+  const GridMobility m(s, {1.0, 0.5, 7.5, 10.0});
+  Numbers strain(11 * s.size()), load(strain.size());
+  for (std::size_t i = 0; i < s.size(); i++) strain[11 * i + n] = -1.0;
+  const auto free = [](const Numbers &a) {
+    Numbers b = a;
+    for (std::size_t i = 0; i < b.size(); i += 11) std::fill_n(&b[i], 6, 0.0);
+    return b;
+  };
+  LAMMPS_NS::Pore_NS::conjugate_gradients(
+      [&](const Numbers &a, Numbers &b) {
+        b = free(m(free(a)));
+      },
+      [](const Numbers &r, Numbers &z) {
+        z = r;
+      },
+      [](double value) {
+        return value;
+      },
+      strain, 1e-8, 100, load);
+  double stress = 0.0;
+  for (std::size_t i = 0; i < s.size(); i++) stress -= load[11 * i + n];
+  return 1.0 + stress / (s.cell.xprd * s.cell.yprd * s.cell.zprd) / 2.0;    // 2 eta E
+}
+
+// Without films: of an independent program, and the expansion of N. Zuzovsky, P.M. Adler,
+// H. Brenner, Phys. Fluids 26, 1714 (1983).
 TEST(HydroMobility, ViscosityOfArrays)
 {
   struct {
@@ -254,42 +282,24 @@ TEST(HydroMobility, ViscosityOfArrays)
   } const known[] = {{0, 0.05, 1.12173, 1.149757, 1.12164, 1.14995},
                      {0, 0.1, 1.241567, 1.35836, 1.24109, 1.35994},
                      {0, 0.3, 1.787527, 3.238656, 0.0, 0.0},
-                     {1, 0.05, 1.134932, 1.126855, 1.13496, 1.12682}};
+                     {1, 0.05, 1.134932, 1.126855, 1.13496, 1.12682},
+                     {2, 0.1, 1.290263, 1.260948, 1.29037, 1.26081}};
   for (const auto &k : known) {
     const Spheres s = array_of(ARRAYS[k.array], k.phi);
-    const double volume = s.cell.xprd * s.cell.yprd * s.cell.zprd;
-    const auto viscosity = [&](int n) {
-      // M of (F, T, S) = (v', w', -E) of spheres that are free: F = T = 0
-      const GridMobility m(s, {1.0, 0.5, 7.5, 10.0});
-      Numbers strain(11 * s.size()), load(strain.size());
-      for (std::size_t i = 0; i < s.size(); i++) strain[11 * i + n] = -1.0;
-      const auto free = [](const Numbers &a) {
-        Numbers b = a;
-        for (std::size_t i = 0; i < b.size(); i += 11) std::fill_n(&b[i], 6, 0.0);
-        return b;
-      };
-      LAMMPS_NS::Pore_NS::conjugate_gradients(
-          [&](const Numbers &a, Numbers &b) {
-            b = free(m(free(a)));
-          },
-          [](const Numbers &r, Numbers &z) {
-            z = r;
-          },
-          [](double value) {
-            return value;
-          },
-          strain, 1e-8, 100, load);
-      double stress = 0.0;
-      for (std::size_t i = 0; i < s.size(); i++) stress -= load[11 * i + n];
-      return 1.0 + stress / volume / 2.0;    // 2 eta E
-    };
-    const double shear = viscosity(8), stretch = viscosity(6);
-    EXPECT_NEAR(shear, k.shear, 1e-5 * k.shear);
-    EXPECT_NEAR(stretch, k.stretch, 1e-5 * k.stretch);
+    const double shear = viscosity_of(s, 8), stretch = viscosity_of(s, 6);
+    EXPECT_NEAR(shear, k.shear, 1e-5 * k.shear) << ARRAYS[k.array].name;
+    EXPECT_NEAR(stretch, k.stretch, 1e-5 * k.stretch) << ARRAYS[k.array].name;
     if (k.exact_shear == 0.0) continue;
     EXPECT_NEAR(shear, k.exact_shear, 0.005 * k.exact_shear);
     EXPECT_NEAR(stretch, k.exact_stretch, 0.005 * k.exact_stretch);
   }
+}
+
+TEST(HydroMobility, ViscosityOfRandomSpheres)
+{
+  const Spheres s = reference(1).spheres;
+  const double known[] = {2.194658, 2.185526, 2.166308, 2.099732, 2.16438};
+  for (int n = 0; n < 5; n++) EXPECT_NEAR(viscosity_of(s, 6 + n), known[n], 1e-5 * known[n]) << n;
 }
 
 TEST(HydroMobility, ViscosityOfTheFluidAndUnitsOfLength)
