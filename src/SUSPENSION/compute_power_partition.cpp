@@ -139,8 +139,9 @@ double ComputePowerPartition::spin_energy() const
 
 /* ----------------------------------------------------------------------
    power that the deformation of the cell puts in: sum of sigma_ab L_ba times volume, with the
-   velocity gradient L of the cell; what a fluid that turns with the cell gives to the spins; and
-   what the common drift of the particles, whose energy is not counted, loses to the drag
+   velocity gradient L of the cell, and with the mean pressure of the pores; what a fluid that turns
+   with the cell gives to the spins; and what the common drift of the particles, whose energy is not
+   counted, loses to the drag
 ------------------------------------------------------------------------- */
 
 double ComputePowerPartition::compute_scalar()
@@ -167,6 +168,8 @@ double ComputePowerPartition::compute_scalar()
   scalar =
       -(l.xx * (r[0] + unit * f.xx) + l.yy * (r[1] + unit * f.yy) + l.zz * (r[2] + unit * f.zz) +
         l.xy * (r[6] + unit * f.xy) + l.xz * (r[7] + unit * f.xz) + l.yz * (r[8] + unit * f.yz));
+  if (pore && pore->acts())
+    scalar -= (l.xx + l.yy + l.zz) * pore->cell_pressure() * Suspension_NS::cell_volume(domain);
   for (auto &fix : drags) {
     // the spin of the fluid is half the curl of L
     scalar += 0.5 *

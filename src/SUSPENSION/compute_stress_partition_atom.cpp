@@ -12,6 +12,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_pore_pressure.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
 #include "lubcontact_tally.h"
@@ -28,13 +29,14 @@ using namespace LAMMPS_NS;
 
 static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 using Lubcontact_NS::NUM_CHANNELS;
-static constexpr int NUM_ROWS = Lubcontact_NS::NUM_STRESS_ROWS;    // one after the other
-static constexpr int COLUMNS = NUM_ROWS * NUM_COMPONENTS;
+static constexpr int PORE = Lubcontact_NS::NUM_STRESS_ROWS, NUM_ROWS = PORE + 1;
+static constexpr int COLUMNS = NUM_ROWS * NUM_COMPONENTS;    // one row after the other
+static constexpr int OF_GHOSTS = PORE * NUM_COMPONENTS;      // columns that ghosts have a part of
 
 /* ---------------------------------------------------------------------- */
 
 ComputeStressPartitionAtom::ComputeStressPartitionAtom(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), nmax(0)
+    Compute(lmp, narg, arg), nmax(0), pore(nullptr)
 {
   if (narg > 3)
     error->all(FLERR, 3, "Unknown compute stress/partition/atom argument: {}; it takes none",
@@ -43,7 +45,7 @@ ComputeStressPartitionAtom::ComputeStressPartitionAtom(LAMMPS *lmp, int narg, ch
   peratom_flag = 1;
   size_peratom_cols = COLUMNS;
   timeflag = 1;    // the pair style tallies in the steps announced for this compute
-  comm_reverse = COLUMNS;
+  comm_reverse = OF_GHOSTS;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -59,6 +61,7 @@ void ComputeStressPartitionAtom::init()
 {
   pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
+  pore = FixPorePressure::find(lmp);
 }
 
 /* ----------------------------------------------------------------------
@@ -78,6 +81,8 @@ void ComputeStressPartitionAtom::compute_peratom()
 
   const int massless = Suspension_NS::groups_without_inertia(lmp);
   const Lubcontact_NS::Vec3 drift = find_drift();
+  const bool has_pores = pore && pore->acts();
+  const std::vector<double> shares = has_pores ? pore->pressure_shares() : std::vector<double>();
   for (int i = 0; i < atom->nlocal; i++) {
     double *parts = array_atom[i];
     double *inertial = parts + Lubcontact_NS::INERTIA_ROW * NUM_COMPONENTS;
@@ -93,6 +98,8 @@ void ComputeStressPartitionAtom::compute_peratom()
           m * v.x * v.x, m * v.y * v.y, m * v.z * v.z, xy, xz, yz, xy, xz, yz};
       for (int n = 0; n < NUM_COMPONENTS; n++) inertial[n] += product[n];
     }
+    if (has_pores)
+      for (int d = 0; d < 3; d++) parts[PORE * NUM_COMPONENTS + d] = shares[i];
     for (int n = 0; n < COLUMNS; n++) parts[n] *= -force->nktv2p;
   }
 }
@@ -138,14 +145,14 @@ void ComputeStressPartitionAtom::collect_parts()
 
 int ComputeStressPartitionAtom::pack_reverse_comm(int n, int first, double *buf)
 {
-  for (int i = first; i < first + n; i++) buf = std::copy_n(array_atom[i], COLUMNS, buf);
-  return n * COLUMNS;
+  for (int i = first; i < first + n; i++) buf = std::copy_n(array_atom[i], OF_GHOSTS, buf);
+  return n * OF_GHOSTS;
 }
 
 void ComputeStressPartitionAtom::unpack_reverse_comm(int n, int *list, double *buf)
 {
   for (int i = 0; i < n; i++)
-    for (int m = 0; m < COLUMNS; m++) array_atom[list[i]][m] += *buf++;
+    for (int m = 0; m < OF_GHOSTS; m++) array_atom[list[i]][m] += *buf++;
 }
 
 /* ---------------------------------------------------------------------- */

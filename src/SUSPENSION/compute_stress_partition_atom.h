@@ -38,6 +38,7 @@ class ComputeStressPartitionAtom : public Compute {
 
  protected:
   int nmax;                                     // atoms there is room for
+  class FixPorePressure *pore;                  // or null
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
   void collect_parts();
   Lubcontact_NS::Vec3 find_drift() const;

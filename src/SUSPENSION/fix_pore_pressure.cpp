@@ -19,6 +19,7 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "restart_seal.h"
 #include "suspension_host.h"
 #include "update.h"
@@ -33,12 +34,13 @@ using Pore_NS::Wall;
 /* ---------------------------------------------------------------------- */
 
 FixPorePressure::FixPorePressure(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), settings(new PoreSettings()), field(new PoreField(lmp)), plates(nullptr),
-    dilation(nullptr), force_of_atom(nullptr), work(0.0), made_for(-1.0), tilt{}
+    Fix(lmp, narg, arg), settings(new PoreSettings()), plates(nullptr), dilation(nullptr),
+    force_of_atom(nullptr), work(0.0), tilt{}, of_cell(0.0), resistance(0.0), even_k(0.0)
 {
-  if (!PoreField::has_library())
-    error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
   parse(narg, arg);
+  if (!settings->even && !PoreField::has_library())
+    error->all(FLERR, 2, "Fix pore/pressure {}", PoreField::NO_LIBRARY);
+  field = std::make_unique<PoreField>(lmp);
   scalar_flag = 0;
   vector_flag = 1;
   size_vector = Output::NUM;
@@ -80,26 +82,15 @@ int FixPorePressure::setmask()
 
 struct FixPorePressure::Now {
   Pore_NS::Cell cell;
-  PoreField::Fluid fluid;
-  PoreField::Plates plates;
+  PoreSolver::Fluid fluid;
+  PoreSolver::Plates plates;
   int bits;
 };
 
 FixPorePressure::Now FixPorePressure::now(double dt)
 {
-  PoreSettings &s = *settings;
-  bool variables = false;
-  for (const auto *number : s.numbers())
-    if (!number->is_number()) variables = true;
-  if (variables) modify->clearstep_compute();
-  for (auto *number : s.numbers()) number->evaluate(lmp);
-  if (variables) modify->addstep_compute(update->ntimestep + 1);
-  const double *of_pair = s.viscosity_of_pair ? Suspension_NS::viscosity_of_pair(lmp)
-                                              : &s.viscosity.value;
-  if (!of_pair || !(*of_pair > 0.0))
-    error->all(FLERR, "Fix pore/pressure viscosity must be > 0, but is {} at step {}",
-               of_pair ? *of_pair : 0.0, update->ntimestep);
-
+  const PoreSettings &s = *settings;
+  const double viscosity = evaluate();
   Now n{};
   const double *lo = domain->boxlo;
   const bool flat = domain->dimension == 2;
@@ -120,7 +111,7 @@ FixPorePressure::Now FixPorePressure::now(double dt)
     add_plates(n, dt);
   }
   const double unit = 1.0 / force->nktv2p;    // LAMMPS' pressure to force/area
-  n.fluid.viscosity = *of_pair;
+  n.fluid.viscosity = viscosity;
   n.fluid.storage = s.storage / unit;
   n.fluid.law = s.law;
   n.fluid.coupling = s.coupling;
@@ -138,7 +129,7 @@ FixPorePressure::Now FixPorePressure::now(double dt)
 
 void FixPorePressure::add_plates(Now &n, double dt) const
 {
-  PoreField::Plates &p = n.plates;
+  PoreSolver::Plates &p = n.plates;
   p.lower_bit = plates->plate_bit(0);
   p.upper_bit = plates->plate_bit(1);
   p.push_lower = settings->lower == Wall::IMPERMEABLE;
@@ -152,10 +143,21 @@ void FixPorePressure::add_plates(Now &n, double dt) const
     }
   MPI_Allreduce(mine, all, 3, MPI_DOUBLE, MPI_SUM, world);
   p.mass = all[2];
-  const bool moves = settings->coupling == PoreField::Coupling::IMPLICIT;
+  const bool moves = settings->coupling == PoreSolver::Coupling::IMPLICIT;
   if (moves) p.response = {plates->response(0, p.mass, dt), plates->response(1, p.mass, dt), 0.0};
   p.velocity = {moves ? plates->velocity_after(0, all[0], p.mass, dt) : plates->velocity(),
                 moves ? plates->velocity_after(1, all[1], p.mass, dt) : plates->opening(), 0.0};
+}
+
+void FixPorePressure::prepare()
+{
+  auto heights = Suspension_NS::cell_heights(domain);
+  if (plates) {
+    double bottom, top;
+    plates->measure_surfaces(bottom, top);
+    heights[1] = top - bottom;
+  }
+  size_array_rows = field->prepare(*settings, heights, mean_diameter());
 }
 
 /* ----------------------------------------------------------------------
@@ -166,24 +168,31 @@ void FixPorePressure::add_plates(Now &n, double dt) const
 
 void FixPorePressure::setup(int /*vflag*/)
 {
-  make_grid();
+  if (settings->even) return follow_layer(true);
+  prepare();
   has_flipped();
   if (plates) plates->evaluate_targets();
   const double half = 0.5 * update->dt;
   Now n = now(half);
   n.fluid.mean = next_mean(n.fluid.storage, field->has_pressure());
-  field->deposit(n.cell, n.bits, n.fluid, n.plates);
+  field->deposit(n.cell, n.bits, n.fluid, n.plates, true);
   if (!field->has_pressure()) field->advance(half, n.fluid, n.plates);
   field->add_forces(n.fluid, n.plates);
   keep_forces();
 }
 
+/* ----------------------------------------------------------------------
+   Weights are made anew every so many steps since the neighbor lists were, which is done when a
+   restart file is written, too: the run that continues it is then the same.
+------------------------------------------------------------------------- */
+
 void FixPorePressure::post_force(int /*vflag*/)
 {
+  if (settings->even) return follow_layer(false);
   Now n = now(update->dt);
   n.fluid.mean = next_mean(n.fluid.storage, false);
-  if (has_flipped()) field->forget();
-  field->deposit(n.cell, n.bits, n.fluid, n.plates);
+  if (has_flipped()) field->flipped();
+  field->deposit(n.cell, n.bits, n.fluid, n.plates, neighbor->ago % settings->every == 0);
   field->advance(update->dt, n.fluid, n.plates);
   field->add_forces(n.fluid, n.plates);
   measure_work();
@@ -191,7 +200,7 @@ void FixPorePressure::post_force(int /*vflag*/)
 }
 
 /* ----------------------------------------------------------------------
-   since the last call: nodes are then not mapped onto nodes
+   since the last call
 ------------------------------------------------------------------------- */
 
 bool FixPorePressure::has_flipped()
@@ -213,9 +222,10 @@ bool FixPorePressure::has_flipped()
 void FixPorePressure::measure_work()
 {
   const auto &forces = field->forces();
+  const Suspension_NS::CellFlow cell(domain);
   work = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
-    const auto flow = Suspension_NS::cell_velocity(domain, atom->x[i]);
+    const auto flow = cell.at(atom->x[i]);
     const double f[3] = {forces[i].x, forces[i].y, forces[i].z};
     for (int d = 0; d < 3; d++)
       work += 0.5 * (force_of_atom[i][d] + f[d]) * (atom->v[i][d] - flow[d]);
@@ -264,8 +274,9 @@ int FixPorePressure::unpack_exchange(int nlocal, double *buf)
 
 double FixPorePressure::compute_vector(int n)
 {
+  if (settings->even) return layer_output(n);
   if (n == Output::LOWER_FLUX || n == Output::UPPER_FLUX) measure_flow();
-  const PoreField::Report &r = field->report();
+  const PoreSolver::Report &r = field->report();
   const double unit = force->nktv2p;
   switch (n) {
     case Output::LOWER:
@@ -277,11 +288,11 @@ double FixPorePressure::compute_vector(int n)
     case Output::LARGEST:
       return r.largest * unit;
     case Output::LOWER_FLUX:
-      return r.flux.lower / field->grid().wall_area();
+      return r.flux.lower / field->wall_area();
     case Output::UPPER_FLUX:
-      return r.flux.upper / field->grid().wall_area();
+      return r.flux.upper / field->wall_area();
     case Output::DISSIPATION:
-      return field->dissipation() * unit / field->grid().volume();
+      return (field->dissipation() / field->volume() + layer_heat()) * unit;
     case Output::FX:
     case Output::FY:
     case Output::FZ:
@@ -303,6 +314,7 @@ double FixPorePressure::compute_vector(int n)
 
 double FixPorePressure::compute_array(int i, int j)
 {
+  if (settings->even) return i == 0 ? layer_profile(j) : 0.0;
   measure_flow();
   const auto layers = field->profile();
   if (i >= static_cast<int>(layers.size())) return 0.0;
@@ -318,21 +330,9 @@ void FixPorePressure::measure_flow()
                              : Lubcontact_NS::Vec3());
 }
 
-double FixPorePressure::pressure_volume() const
-{
-  return field->report().mean * field->grid().volume();
-}
-
-double FixPorePressure::mean_power()
-{
-  double all;
-  MPI_Allreduce(&work, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return -all;
-}
-
 bool FixPorePressure::acts() const
 {
-  return settings->coupling != PoreField::Coupling::OFF;
+  return settings->coupling != PoreSolver::Coupling::OFF;
 }
 
 double FixPorePressure::memory_usage()
@@ -344,7 +344,7 @@ double FixPorePressure::memory_usage()
    a head with its seal, which says how much follows; the pressure, and its seal
 ------------------------------------------------------------------------- */
 
-static constexpr std::size_t HEAD = 12;
+static constexpr std::size_t HEAD = 1 + PoreSolver::State::HEAD + 4;
 
 static double seal_of(const double *values, std::size_t number)
 {
@@ -354,20 +354,12 @@ static double seal_of(const double *values, std::size_t number)
 void FixPorePressure::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const Pore_NS::Grid &grid = field->grid();
-  const Pore_NS::Field &p = field->pressure();
-  std::vector<double> record = {static_cast<double>(p.size()),
-                                static_cast<double>(grid.nx),
-                                static_cast<double>(grid.ny),
-                                static_cast<double>(grid.nz),
-                                static_cast<double>(grid.lower),
-                                static_cast<double>(grid.upper),
-                                static_cast<double>(field->solutions()),
-                                made_for,
-                                mean.pressure,
-                                mean.cell,
-                                mean.volume,
-                                mean.squares};
+  const PoreSolver::State state = field->state();
+  const std::vector<double> &p = state.values;
+  std::vector<double> record = {static_cast<double>(p.size())};
+  record.insert(record.end(), state.head.begin(), state.head.end());
+  for (const double value : {mean.pressure, mean.cell, mean.volume, mean.squares})
+    record.push_back(value);
   record.push_back(seal_of(record.data(), HEAD));
   record.insert(record.end(), p.begin(), p.end());
   record.push_back(seal_of(p.data(), p.size()));
@@ -384,16 +376,10 @@ void FixPorePressure::restart(char *buffer)
   if (!sealed || seal_of(p, number) != p[number])
     error->all(FLERR,
                "The part of fix pore/pressure in the restart file is damaged: use another one");
-  Pore_NS::Grid grid;
-  grid.nx = static_cast<int>(head[1]);
-  grid.ny = static_cast<int>(head[2]);
-  grid.nz = static_cast<int>(head[3]);
-  grid.lower = static_cast<Wall>(static_cast<int>(head[4]));
-  grid.upper = static_cast<Wall>(static_cast<int>(head[5]));
-  if (grid.lower != settings->lower || grid.upper != settings->upper) return;
-  mean = {head[8], head[9], head[10], head[11]};
-  if (head[6] == 0.0) return;
-  made_for = head[7];
-  field->set_grid(grid);
-  if (number == grid.nodes()) field->take_pressure({p, p + number}, static_cast<int>(head[6]));
+  PoreSolver::State state;
+  std::copy_n(head + 1, PoreSolver::State::HEAD, state.head.begin());
+  state.values.assign(p, p + number);
+  const double *rest = head + 1 + PoreSolver::State::HEAD;
+  mean = {rest[0], rest[1], rest[2], rest[3]};
+  field->restore(state, *settings);
 }

@@ -20,10 +20,11 @@ FixStyle(pore/pressure,FixPorePressure);
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 class FixRheometerPlates;
-class PoreField;
+class PoreSolver;
 
 // Pressure of the fluid between the particles, which must flow when they dilate or settle: Darcy's
 // law on a grid, and its forces on particles and plates.
@@ -48,9 +49,11 @@ class FixPorePressure : public Fix {
   void restart(char *) override;
 
   // of the last step
-  double pressure_volume() const;    // its integral
-  double mean_power();               // that the particles have given to the fluid, energy/time
-  bool acts() const;                 // not with coupling off
+  double pressure_volume() const;                 // its integral
+  std::vector<double> pressure_shares() const;    // of it, by local index; clear fluid has the rest
+  double mean_power();    // that particles and cell have given to the fluid, energy/time
+  double cell_pressure() const { return mean.pressure; }    // the mean one, of a periodic cell
+  bool acts() const;                                        // not with coupling off
 
   // of the particles of now: mean pressure over -d ln V/dt that a layer opposes to its change of
   // volume; 0 without a layer, or if it does not act
@@ -67,12 +70,11 @@ class FixPorePressure : public Fix {
 
  private:
   std::unique_ptr<struct PoreSettings> settings;
-  std::unique_ptr<PoreField> field;
+  std::unique_ptr<PoreSolver> field;
   FixRheometerPlates *plates;
   const double *dilation;    // d ln V/dt of fix deform/rheometer, or null
   double **force_of_atom;    // for output, force
   double work;               // of the last step on the particles of this rank, energy/time
-  double made_for;           // spacing asked for when the grid was made; -1: there is none
   double tilt[3];            // of the last step: xy, xz, yz
 
   // of a periodic cell; numbers only: a restart file holds it
@@ -81,6 +83,8 @@ class FixPorePressure : public Fix {
     double cell = 0.0;                     // volume to which that belongs; 0: none
     double volume = 0.0, squares = 0.0;    // of the particles, and of their radii
   } mean;
+  double of_cell;               // power that its change of volume gives to the fluid
+  double resistance, even_k;    // of an even layer: layer_resistance(), permeability
 
   void parse(int, char **);
   int parse_keyword(int, int, char **);
@@ -88,12 +92,21 @@ class FixPorePressure : public Fix {
   void check_others() const;
   void check_plates() const;
   double mean_diameter() const;
-  void make_grid();
+  void prepare();
   struct Now;
   Now now(double);
   void add_plates(Now &, double) const;
   bool has_flipped();
+  double evaluate();    // variables; the viscosity
   double layer_resistance();
+  double gap() const;
+  double dilation_of_gap() const;
+  double mean_of_layer() const;
+  void follow_layer(bool is_setup);
+  double layer_heat() const;    // power/volume
+  double volume() const;
+  double layer_output(int);
+  double layer_profile(int) const;
   double next_mean(double storage, bool is_known);
   void find_flow();
   void measure_work();

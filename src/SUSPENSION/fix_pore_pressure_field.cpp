@@ -13,6 +13,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "force.h"
+#include "pore_spread.h"
 #include "suspension_host.h"
 
 #ifdef SUSPENSION_FFTW
@@ -26,6 +27,7 @@ using namespace LAMMPS_NS;
 using Lubcontact_NS::Vec3;
 using Pore_NS::Convergence;
 using Pore_NS::Field;
+using Pore_NS::Lanes;
 using Pore_NS::Motion;
 
 static constexpr int MOST_ITERATIONS = 1000;
@@ -49,7 +51,11 @@ const char *const PoreField::NO_LIBRARY =
 
 /* ---------------------------------------------------------------------- */
 
-PoreField::PoreField(LAMMPS *lmp) : Pointers(lmp), age(0), nlocal(-1), measured(false) {}
+PoreField::PoreField(LAMMPS *lmp) :
+    PoreSolver(lmp), age(0), made_for(-1.0), nlocal(-1), yield_of_plate(0.0), fresh(false),
+    measured(false)
+{
+}
 
 PoreField::~PoreField() = default;
 
@@ -79,26 +85,39 @@ void PoreField::set_grid(const Pore_NS::Grid &grid)
   }
 }
 
-void PoreField::take_pressure(const std::vector<double> &values, int solutions)
-{
-  p = values;
-  age = solutions;
-}
-
 /* ---------------------------------------------------------------------- */
 
 void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &fluid,
-                        const Plates &plates)
+                        const Plates &plates, bool anew)
 {
-  using Pore_NS::Moments;
   lattice.cell = cell;
   of_deposit = plates;
-  nlocal = atom->nlocal;
   measured = false;
   matrix = element_matrix(lattice);
 #ifdef SUSPENSION_FFTW
   transforms->solver.set_cell(lattice);
 #endif
+  // The plate has its mass instead of those of its particles. If that is the same, it yields less
+  // than its particles would, one by one: the bound of P holds. Half of it is for the pressure
+  // itself.
+  const double most = MAX(plates.response.x, plates.response.y);
+  const double yield = plates.mass * most * (plates.push_upper ? 2.0 : 1.0);
+  fresh = anew || atom->nlocal != nlocal || yield != yield_of_plate;
+  if (fresh) {
+    yield_of_plate = yield;
+    make_stencils(groupbits, fluid, plates);
+  }
+  mobility = mobilities(elements, fluid.viscosity);
+}
+
+/* ----------------------------------------------------------------------
+   what the particles fill, and their weights; in lattice coordinates, in which they hardly move
+------------------------------------------------------------------------- */
+
+void PoreField::make_stencils(int groupbits, const Fluid &fluid, const Plates &plates)
+{
+  using Pore_NS::Moments;
+  nlocal = atom->nlocal;
   const Pore_NS::Metric m = metric(lattice);
   const bool flat = domain->dimension == 2;
   auto place = [this, flat](int i) {
@@ -112,7 +131,7 @@ void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &f
   };
 
   std::vector<Moments> mine(lattice.elements()), sums(lattice.elements());
-  for (int i = 0; i < atom->nlocal; i++)
+  for (int i = 0; i < nlocal; i++)
     if (atom->mask[i] & groupbits) {
       const double r = atom->radius[i];
       add_moments(lattice, m, place(i), inside(i), r * r, mine.data());
@@ -120,74 +139,118 @@ void PoreField::deposit(const Pore_NS::Cell &cell, int groupbits, const Fluid &f
   MPI_Allreduce(mine.data(), sums.data(), static_cast<int>(sums.size()) * Pore_NS::MOMENTS,
                 MPI_DOUBLE, MPI_SUM, world);
   elements = make_elements(lattice, fluid.law, sums);
-  mobility = mobilities(elements, fluid.viscosity);
 
-  // The plate has its mass instead of those of its particles. If that is the same, it yields less
-  // than its particles would, one by one: the bound of P holds. Half of it is for the pressure
-  // itself.
-  const double most = MAX(plates.response.x, plates.response.y);
-  const double of_plate = plates.mass * most * (plates.push_upper ? 2.0 : 1.0);
   particles.clear();
-  pushed.assign(atom->nlocal, Vec3());
-  for (int i = 0; i < atom->nlocal; i++)
+  stencils.clear();
+  pushed.assign(nlocal, Vec3());
+  std::vector<double> my_bound(lattice.elements());
+  bound.resize(lattice.elements());
+  for (int i = 0; i < nlocal; i++)
     if (atom->mask[i] & groupbits) {
       double inverse_mass = force->ftm2v / atom->rmass[i];
       if (atom->mask[i] & plates.lower_bit) inverse_mass = 0.0;
-      if (atom->mask[i] & plates.upper_bit) inverse_mass = of_plate / atom->rmass[i];
-      particles.push_back(
-          {i, inverse_mass, make_stencil(lattice, m, elements, place(i), inside(i))});
+      if (atom->mask[i] & plates.upper_bit) inverse_mass = yield_of_plate / atom->rmass[i];
+      particles.push_back({i, inverse_mass});
+      stencils.push_back(make_stencil(lattice, m, elements, place(i), inside(i)));
+      add_bound(stencils.back(), inverse_mass, lattice.element_volume(), my_bound.data());
     }
+  of_pores.resize(particles.size());
+  MPI_Allreduce(my_bound.data(), bound.data(), static_cast<int>(bound.size()), MPI_DOUBLE, MPI_SUM,
+                world);
 }
 
 /* ----------------------------------------------------------------------
    of a pressure on the upper plate, if that can move
 ------------------------------------------------------------------------- */
 
-Vec3 PoreField::force_on_plate(const Field &of_pressure, const std::vector<Vec3> &gradient,
+Vec3 PoreField::force_on_plate(const Field &of_pressure, const std::vector<Lanes> &gradient,
                                const Plates &plates) const
 {
   if (plates.response.x == 0.0 && plates.response.y == 0.0) return {};
   Vec3 mine, all;
-  for (const Particle &one : particles)
-    if (atom->mask[one.i] & plates.upper_bit)
-      mine = mine + pore_force(one.stencil, lattice.element_volume(), gradient);
+  for (std::size_t n = 0; n < particles.size(); n++)
+    if (atom->mask[particles[n].i] & plates.upper_bit)
+      mine = mine + pore_force(stencils[n], lattice.element_volume(), gradient);
   MPI_Allreduce(&mine.x, &all.x, 3, MPI_DOUBLE, MPI_SUM, world);
   if (plates.push_upper) all.y += wall_force(lattice, of_pressure).upper;
   return all;
 }
 
 /* ----------------------------------------------------------------------
-   velocities of the elements: those of the particles, relative to the deforming cell, after the
-   forces that act and the given pressure have moved them; or what that pressure alone adds
+   velocities of the elements, with the plates at these velocities
 ------------------------------------------------------------------------- */
 
-void PoreField::sum_motion(const Field &of_pressure, double dt, bool whole, const Plates &plates,
+template <class Velocity>
+void PoreField::sum_motion(const Velocity &of_particle, const Vec3 &upper, const Plates &plates,
                            std::vector<Motion> &sums, Pore_NS::WallVelocity &of_wall) const
 {
   std::vector<Motion> mine(lattice.elements());
   sums.resize(lattice.elements());
-  const double volume = lattice.element_volume(), span = whole ? dt : 1.0;
-  const std::vector<Vec3> gradient = gradients(lattice, of_pressure);
-  const Vec3 push = dt > 0.0 ? force_on_plate(of_pressure, gradient, plates) : Vec3();
-  Vec3 upper = span * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
-  if (whole) upper = upper + plates.velocity;
   of_wall = {0.0, upper.y};
-  for (const Particle &one : particles) {
-    Vec3 v;
-    if (atom->mask[one.i] & plates.upper_bit)
-      v = upper;
-    else if (!(atom->mask[one.i] & plates.lower_bit)) {
-      if (dt > 0.0) v = (span * one.inverse_mass) * pore_force(one.stencil, volume, gradient);
-      if (whole) {
-        const auto flow = Suspension_NS::cell_velocity(domain, atom->x[one.i]);
-        v = v + Lubcontact_NS::get_vector(atom->v[one.i]) - Vec3{flow[0], flow[1], flow[2]} +
-            (dt * one.inverse_mass) * Lubcontact_NS::get_vector(atom->f[one.i]);
-      }
-    }
-    add_motion(one.stencil, v, one.inverse_mass, volume, mine.data());
+  const int plate_bits = plates.lower_bit | plates.upper_bit;
+  std::vector<Lanes> velocities(particles.size());
+  for (std::size_t n = 0; n < particles.size(); n++) {
+    const int mask = atom->mask[particles[n].i];
+    if (!(mask & plate_bits))
+      velocities[n] = {of_particle(particles[n], n)};
+    else if (mask & plates.upper_bit)
+      velocities[n] = {upper};
   }
+  Pore_NS::add_motions(stencils, velocities, mine.data());
   MPI_Allreduce(mine.data(), sums.data(), static_cast<int>(sums.size()) * Pore_NS::MOTIONS,
                 MPI_DOUBLE, MPI_SUM, world);
+}
+
+static bool is_same_outside(const PoreField::Fluid &a, const PoreField::Fluid &b)
+{
+  const Vec3 d = a.gradient - b.gradient;
+  return a.lower == b.lower && a.upper == b.upper && dot(d, d) == 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   of the particles relative to the deforming cell, after the forces that act and those of the
+   pressure before this step have moved them
+------------------------------------------------------------------------- */
+
+void PoreField::predict_motion(double dt, const Fluid &fluid, const Plates &plates)
+{
+  std::vector<Lanes> gradient;
+  Vec3 upper = plates.velocity;
+  if (dt > 0.0) {
+    gradient = gradients(lattice, p, fluid.gradient);
+    const Vec3 push = force_on_plate(p, gradient, plates);
+    upper = upper + dt * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
+  }
+  // weights and pressures of the last step have made the same forces
+  const bool known = !fresh && age > 0 && is_same_outside(fluid, outside);
+  if (dt > 0.0 && !known)
+    Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, of_pores);
+  const Suspension_NS::CellFlow cell(domain);
+  auto velocity = [&](const Particle &one, std::size_t n) {
+    using Lubcontact_NS::get_vector;
+    const Vec3 v = get_vector(atom->v[one.i]) - get_vector(cell.at(atom->x[one.i]).data());
+    if (dt == 0.0) return v;
+    return Pore_NS::predicted(v, get_vector(atom->f[one.i]), of_pores[n], one.inverse_mass, dt);
+  };
+  sum_motion(velocity, upper, plates, motion, wall);
+}
+
+/* ----------------------------------------------------------------------
+   what the forces of a pressure add to all that per time
+------------------------------------------------------------------------- */
+
+void PoreField::respond(const Field &of_pressure, const Plates &plates, std::vector<Motion> &sums,
+                        Pore_NS::WallVelocity &of_wall) const
+{
+  const std::vector<Lanes> gradient = gradients(lattice, of_pressure);
+  const Vec3 push = force_on_plate(of_pressure, gradient, plates);
+  std::vector<Lanes> forces(particles.size());
+  Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, forces);
+  auto acceleration = [&](const Particle &one, std::size_t n) {
+    return one.inverse_mass * forces[n];
+  };
+  sum_motion(acceleration, {plates.response.x * push.x, plates.response.y * push.y, 0.0}, plates,
+             sums, of_wall);
 }
 
 void PoreField::solve_constant([[maybe_unused]] const Field &r, [[maybe_unused]] double c,
@@ -208,7 +271,7 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
   if (age == 0) p.assign(lattice.nodes(), 0.0);
   set_fixed(lattice, fluid.lower, fluid.upper, p);
 
-  sum_motion(p, step, true, plates, motion, wall);
+  predict_motion(step, fluid, plates);
   Field r = imbalance(lattice, matrix, mobility, motion, wall, fluid.gradient, p);
   project(lattice, storage > 0.0, r);
   // what the pressure itself does to a plate: of its gradient and, if it leaks nowhere, of its mean
@@ -221,7 +284,8 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
       of_mean = step * area * area * plates.response.y /
           (share * static_cast<double>(lattice.elements()));
   }
-  const double c = Pore_NS::largest(implicit_mobilities(mobility, motion, step)) + step * of_plate;
+  const double c =
+      Pore_NS::largest(Pore_NS::implicit_mobilities(mobility, bound, step)) + step * of_plate;
   const double s = storage + of_mean;
   Field change;
   seen.convergence = {};
@@ -229,7 +293,7 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
     auto apply = [&](const Field &q, Field &y) {
       auto response = [&](const Field &of, std::vector<Motion> &sums,
                           Pore_NS::WallVelocity &of_wall) {
-        sum_motion(of, step, false, plates, sums, of_wall);
+        respond(of, plates, sums, of_wall);
       };
       apply_implicit(lattice, matrix, mobility, step, storage, response, q, y);
     };
@@ -248,7 +312,7 @@ void PoreField::advance(double dt, const Fluid &fluid, const Plates &plates)
   for (std::size_t n = 0; n < p.size(); n++) p[n] += change[n];
   MPI_Bcast(p.data(), static_cast<int>(p.size()), MPI_DOUBLE, 0, world);    // to the last bit
   age = MIN(age + 1, FIRST_SOLUTIONS);
-  seen.explicit_step = Pore_NS::explicit_step(mobility, motion);
+  seen.explicit_step = Pore_NS::explicit_step(mobility, bound);
 }
 
 /* ----------------------------------------------------------------------
@@ -259,15 +323,16 @@ void PoreField::add_forces(const Fluid &fluid, const Plates &plates)
 {
   const int lower_bits = plates.push_lower ? plates.lower_bit : 0;
   const int upper_bits = plates.push_upper ? plates.upper_bit : 0;
-  const std::vector<Vec3> gradient = gradients(lattice, p, fluid.gradient);
-  const double volume = lattice.element_volume();
+  const std::vector<Lanes> gradient = gradients(lattice, p, fluid.gradient);
+  Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, of_pores);
   double mine[5] = {}, all[5];    // force, particles of the plates
-  for (const Particle &one : particles) {
-    pushed[one.i] = pore_force(one.stencil, volume, gradient);
-    if (domain->dimension == 2) pushed[one.i].z = 0.0;    // but for rounding it is
-    mine[0] += pushed[one.i].x;
-    mine[1] += pushed[one.i].y;
-    mine[2] += pushed[one.i].z;
+  for (std::size_t n = 0; n < particles.size(); n++) {
+    const Particle &one = particles[n];
+    if (domain->dimension == 2) of_pores[n].z = 0.0;    // but for rounding it is
+    pushed[one.i] = of_pores[n];
+    mine[0] += of_pores[n].x;
+    mine[1] += of_pores[n].y;
+    mine[2] += of_pores[n].z;
     if (atom->mask[one.i] & lower_bits) mine[3] += 1.0;
     if (atom->mask[one.i] & upper_bits) mine[4] += 1.0;
   }
@@ -284,80 +349,4 @@ void PoreField::add_forces(const Fluid &fluid, const Plates &plates)
     f[2] += pushed[one.i].z;
   }
   see(fluid);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void PoreField::see(const Fluid &fluid)
-{
-  seen.gradient = fluid.gradient;
-  seen.given_mean = fluid.mean;
-  seen.mean = mean_pressure(lattice, p) + fluid.mean;
-  seen.largest = 0.0;
-  for (const double value : p) seen.largest = MAX(seen.largest, fabs(value + fluid.mean));
-  const bool plates = lattice.has_plates();
-  seen.lower = plates ? layer_mean(lattice, p, 0) : seen.mean;
-  seen.upper = plates ? layer_mean(lattice, p, lattice.ny) : seen.mean;
-  seen.k_min = HUGE_VAL;
-  seen.k_max = 0.0;
-  for (const Pore_NS::Element &e : elements) {
-    seen.k_min = MIN(seen.k_min, e.permeability);
-    seen.k_max = MAX(seen.k_max, e.permeability);
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
-double PoreField::dissipation() const
-{
-  return elements.empty() ? 0.0 : Pore_NS::dissipation(lattice, matrix, mobility, seen.gradient, p);
-}
-
-/* ----------------------------------------------------------------------
-   what advance() has used are velocities that it has predicted from the pressure before
-------------------------------------------------------------------------- */
-
-void PoreField::measure_flow(const Vec3 &upper_plate)
-{
-  if (measured || atom->nlocal != nlocal) return;
-  measured = true;
-  of_deposit.velocity = upper_plate;
-  sum_motion(p, 0.0, true, of_deposit, motion, wall);
-  seen.flux =
-      wall_flux(lattice, imbalance(lattice, matrix, mobility, motion, wall, seen.gradient, p));
-}
-
-/* ---------------------------------------------------------------------- */
-
-std::vector<PoreField::Layer> PoreField::profile() const
-{
-  std::vector<Layer> layers(lattice.ny);
-  if (elements.empty()) return layers;
-  const std::vector<Vec3> gradient = gradients(lattice, p, seen.gradient);
-  const int size = lattice.layer_size();
-  for (int j = 0; j < lattice.ny; j++) {
-    Layer &layer = layers[j];
-    const int up = j + 1 < lattice.layers() ? j + 1 : 0;
-    layer.y = lattice.cell.origin.y + (j + 0.5) / lattice.ny * lattice.cell.yprd;
-    layer.p = 0.5 * (layer_mean(lattice, p, j) + layer_mean(lattice, p, up)) + seen.given_mean;
-    layer.phi = layer.u_y = layer.q_y = 0.0;
-    for (int n = j * size; n < (j + 1) * size; n++) {
-      layer.phi += elements[n].phi / size;
-      layer.u_y += motion.empty() ? 0.0 : motion[n].velocity.y / size;
-      layer.q_y -= mobility[n] * gradient[n].y / size;
-    }
-  }
-  return layers;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double PoreField::memory_usage() const
-{
-  return static_cast<double>(lattice.elements() *
-                                 (2 * sizeof(Pore_NS::Moments) + sizeof(Pore_NS::Element) +
-                                  3 * sizeof(Motion) + sizeof(Vec3) + sizeof(double)) +
-                             6 * lattice.nodes() * sizeof(double) +
-                             particles.capacity() * sizeof(Particle) +
-                             pushed.capacity() * sizeof(Vec3));
 }

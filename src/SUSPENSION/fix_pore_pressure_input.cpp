@@ -34,7 +34,7 @@ using Suspension_NS::require_words;
 
 // values of each keyword
 static const std::map<std::string, std::string> KEYWORDS = {
-    {"solver", "grid|cg"},
+    {"solver", "grid|cg|mean"},
     {"spacing", "h"},
     {"grid", "nx ny nz"},
     {"permeability", "beetstra|kozeny|constant ..."},
@@ -47,7 +47,8 @@ static const std::map<std::string, std::string> KEYWORDS = {
     {"mean", "drained|undrained|layer ..."},
     {"gradient", "gx gy gz"},
     {"coupling", "implicit|explicit|off"},
-    {"tolerance", "t"}};
+    {"tolerance", "t"},
+    {"every", "n"}};
 
 /* ---------------------------------------------------------------------- */
 
@@ -81,12 +82,32 @@ void FixPorePressure::parse(int narg, char **arg)
   if (given.count("mean") && given.count("plates"))
     error->all(FLERR, given["mean"],
                "Fix pore/pressure mean is that of a periodic cell: it cannot act between plates, "
-               "whose kinds decide; remove mean");
+               "whose kinds decide; remove mean, or for the mean alone use solver mean");
   if (settings->mean == PoreSettings::UNDRAINED && !(settings->storage > 0.0))
     error->all(
         FLERR, given["mean"],
         "Fix pore/pressure mean undrained needs a fluid that can be compressed; add: storage "
         "S");
+  if (!settings->even) return;
+  for (const char *key : {"spacing", "grid", "tolerance", "pressure", "gradient"})
+    if (given.count(key))
+      error->all(FLERR, given[key],
+                 "Fix pore/pressure solver mean has no pressure in space: {} cannot act; remove it",
+                 key);
+  if (given.count("storage") && settings->mean != PoreSettings::UNDRAINED)
+    error->all(FLERR, given["storage"],
+               "Fix pore/pressure solver mean follows the motion at once: storage cannot act; "
+               "remove it, or use a cell with mean undrained");
+  if (settings->coupling == PoreSolver::Coupling::EXPLICIT)
+    error->all(
+        FLERR, given["coupling"],
+        "Fix pore/pressure solver mean is a dashpot, which has no explicit form: use coupling "
+        "implicit");
+  if (settings->plates.empty() && settings->mean == PoreSettings::DRAINED)
+    error->all(
+        FLERR, given["solver"],
+        "Fix pore/pressure solver mean has nothing to do in a cell that is drained: add mean "
+        "layer H, or mean undrained with a storage");
 }
 
 /* ----------------------------------------------------------------------
@@ -110,7 +131,9 @@ int FixPorePressure::parse_keyword(int iarg, int narg, char **arg)
                utils::join_words(words, " "), arg[at]);
   };
   if (key == "solver") {
-    s.iterate = choose(iarg + 1, {"grid", "cg"}) == 1;
+    const int which = choose(iarg + 1, {"grid", "cg", "mean"});
+    s.iterate = which == 1;
+    s.even = which == 2;
   } else if (key == "spacing") {
     s.spacing = positive(iarg + 1);
   } else if (key == "grid") {
@@ -167,9 +190,13 @@ int FixPorePressure::parse_keyword(int iarg, int narg, char **arg)
     for (int d = 0; d < 3; d++) s.gradient[d] = InputNumber(lmp, arg[iarg + 1 + d]);
     return 4;
   } else if (key == "coupling") {
-    using Coupling = PoreField::Coupling;
+    using Coupling = PoreSolver::Coupling;
     const int which = choose(iarg + 1, {"implicit", "explicit", "off"});
     s.coupling = which == 0 ? Coupling::IMPLICIT : which == 1 ? Coupling::EXPLICIT : Coupling::OFF;
+  } else if (key == "every") {
+    s.every = utils::inumeric(FLERR, arg[iarg + 1], false, lmp);
+    if (s.every < 1)
+      error->all(FLERR, iarg + 1, "Fix pore/pressure every must be > 0, but is {}", arg[iarg + 1]);
   } else {
     s.tolerance = positive(iarg + 1);
   }
@@ -193,7 +220,7 @@ void FixPorePressure::init()
                "Fix pore/pressure in 2d has no law of permeability for discs; use: permeability "
                "constant k");
   check_others();
-  check_order();
+  if (!settings->even) check_order();
   find_flow();
 
   plates = nullptr;
@@ -217,14 +244,14 @@ void FixPorePressure::init()
 
 void FixPorePressure::check_plates() const
 {
-  const bool acts = settings->coupling != PoreField::Coupling::OFF;
+  const bool acts = settings->coupling != PoreSolver::Coupling::OFF;
   if (!acts || settings->storage > 0.0 || settings->upper != Wall::IMPERMEABLE) return;
   if (settings->lower == Wall::IMPERMEABLE && !plates->has_gap())
     error->all(FLERR,
                "Fix pore/pressure: the fluid has no way out between two impermeable plates that "
-               "approach: use drained for one of them, gap in fix {}, or storage S",
-               settings->plates);
-  if (plates->has_servo())
+               "approach: use drained for one of them, gap in fix {}{}",
+               settings->plates, settings->even ? "" : ", or storage S");
+  if (plates->has_servo() && !settings->even)
     error->all(FLERR,
                "Fix pore/pressure: the pressure on an impermeable plate answers to its motion at "
                "once, which the servo of fix {} cannot follow: use load instead of pressure there, "
@@ -240,9 +267,10 @@ void FixPorePressure::check_others() const
 {
   if (modify->get_fix_by_style("^pore/pressure").size() > 1)
     error->all(FLERR, "More than one fix pore/pressure: the pressure of the pores is only one");
+  if (settings->even) return;    // which pushes no particle
   for (const char *other : {"^drag/background", "^overdamped/sphere"})
     for (const auto &fix : modify->get_fix_by_style(other))
-      if (settings->coupling != PoreField::Coupling::OFF)
+      if (settings->coupling != PoreSolver::Coupling::OFF)
         error->all(FLERR,
                    "Fix pore/pressure has the drag of the fluid between the particles already: "
                    "remove fix {} {}, or use coupling off",
@@ -255,7 +283,7 @@ void FixPorePressure::check_others() const
 
 void FixPorePressure::check_order() const
 {
-  if (settings->coupling == PoreField::Coupling::OFF) return;
+  if (settings->coupling == PoreSolver::Coupling::OFF) return;
   bool later = false;
   for (const auto &fix : modify->get_fix_list()) {
     const bool is_plates = utils::strmatch(fix->style, "^rheometer/plates");
@@ -289,50 +317,4 @@ double FixPorePressure::mean_diameter() const
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
   if (all[1] == 0.0) error->all(FLERR, "Fix pore/pressure has no particles in its group");
   return all[0] / all[1];
-}
-
-/* ----------------------------------------------------------------------
-   Elements no smaller than asked for. The first run makes them; later ones, from a restart file,
-   too, keep their number unless the script asks for another.
-------------------------------------------------------------------------- */
-
-void FixPorePressure::make_grid()
-{
-  static constexpr double SPACING = 1.5;    // over the mean diameter
-  Pore_NS::Grid grid = field->grid();
-  grid.lower = settings->lower;
-  grid.upper = settings->upper;
-  const bool flat = domain->dimension == 2;
-  auto height = Suspension_NS::cell_heights(domain);
-  if (plates) {
-    double bottom, top;
-    plates->measure_surfaces(bottom, top);
-    height[1] = top - bottom;
-  }
-  const double d = mean_diameter();
-  const int *given = settings->elements;
-  const bool keep = made_for == settings->spacing &&
-      (!given[0] || (given[0] == grid.nx && given[1] == grid.ny && given[2] == grid.nz));
-  if (!keep) {
-    const double wanted = settings->spacing > 0.0 ? settings->spacing : SPACING * d;
-    int number[3];
-    for (int k = 0; k < 3; k++)
-      number[k] = given[k] ? given[k]
-                           : MAX(1, static_cast<int>(height[k] / wanted * (1.0 + 1e-10)));
-    grid.nx = number[0];
-    grid.ny = number[1];
-    grid.nz = flat ? 1 : number[2];
-  }
-  made_for = settings->spacing;
-  const int count[3] = {grid.nx, grid.ny, grid.nz};
-  for (int k = 0; k < domain->dimension; k++)
-    if (height[k] / count[k] < d * (1.0 - 1e-10))
-      error->all(
-          FLERR,
-          "Fix pore/pressure: the elements of the grid are {:.4g} along {}, smaller than the "
-          "mean diameter {:.4g} of the particles, whose pores they cannot see: use a coarser "
-          "grid",
-          height[k] / count[k], "xyz"[k], d);
-  field->set_grid(grid);
-  size_array_rows = grid.ny;
 }

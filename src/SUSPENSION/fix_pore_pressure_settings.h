@@ -12,9 +12,7 @@
 #ifndef LMP_FIX_PORE_PRESSURE_SETTINGS_H
 #define LMP_FIX_PORE_PRESSURE_SETTINGS_H
 
-#include "fix_pore_pressure_field.h"
-#include "pore_closure.h"
-#include "pore_grid.h"
+#include "fix_pore_pressure_solver.h"
 #include "suspension_input.h"
 
 #include <string>
@@ -38,10 +36,11 @@ struct PoreSettings {
   Mean mean = DRAINED;    // pressure of a periodic cell
   double layer = 0.0;     // height of Mean::LAYER
   Number gradient[3];     // mean one, LAMMPS' pressure over length
-  PoreField::Coupling coupling = PoreField::Coupling::IMPLICIT;
+  PoreSolver::Coupling coupling = PoreSolver::Coupling::IMPLICIT;
   bool iterate = false;
+  bool even = false;    // solver mean: a layer that dilates evenly, without a grid
   double tolerance = 1e-8;
-  int every = 1;
+  int every = 20;    // steps that particles keep their weights
 
   std::vector<Number *> numbers()
   {

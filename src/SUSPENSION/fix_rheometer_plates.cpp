@@ -91,10 +91,26 @@ Rheometer_NS::Material FixRheometerPlates::material() const
   return {targets->viscosity(), rho, state->diameter, rho * state->diameter * state->gap};
 }
 
+void FixRheometerPlates::drain(double of_layer)
+{
+  drainage = of_layer;
+}
+
+double FixRheometerPlates::fluid_pressure() const
+{
+  return state->gap > 0.0 ? -drainage * state->vy / state->gap : 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   of particles and fluid
+------------------------------------------------------------------------- */
+
 Rheometer_NS::WallStress FixRheometerPlates::stress_on(int plate) const
 {
-  return Rheometer_NS::wall_stress(static_cast<Rheometer_NS::Plate>(plate), force_on[plate],
-                                   area());
+  Rheometer_NS::WallStress stress =
+      Rheometer_NS::wall_stress(static_cast<Rheometer_NS::Plate>(plate), force_on[plate], area());
+  stress.pressure += fluid_pressure();
+  return stress;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -109,8 +125,7 @@ void FixRheometerPlates::half_kick_x(double dt)
 void FixRheometerPlates::half_kick_y(double dt)
 {
   const double push = force_on[UPPER][1] - targets->pressure() / force->nktv2p * area();
-  state->vy =
-      Rheometer_NS::damped_velocity(state->vy, push, moving_mass(), targets->damper_y(), 0.5 * dt);
+  state->vy = Rheometer_NS::damped_velocity(state->vy, push, moving_mass(), damper(1), 0.5 * dt);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -123,7 +138,8 @@ bool FixRheometerPlates::is_pushed(int d) const
 
 double FixRheometerPlates::damper(int d) const
 {
-  return d == 0 ? targets->damper_x() : targets->damper_y();
+  if (d == 0) return targets->damper_x();
+  return targets->damper_y() + (drainage > 0.0 ? drainage * area() / state->gap : 0.0);
 }
 
 bool FixRheometerPlates::has_servo() const
@@ -166,9 +182,10 @@ void FixRheometerPlates::move_y(double dt)
   } else if (targets->load() == PlatesTargets::LOAD) {
     half_kick_y(dt);
   } else {
-    state->dilation = Rheometer_NS::next_dilation(
-        material(), state->dilation, stress_on(UPPER).pressure, targets->pressure() / force->nktv2p,
-        state->rate, targets->gain(), dt);
+    const double of_particles = force_on[UPPER][1] / area();
+    state->dilation = Rheometer_NS::next_dilation(material(), state->dilation, of_particles,
+                                                  targets->pressure() / force->nktv2p, state->rate,
+                                                  targets->gain(), dt, drainage);
     state->vy = Rheometer_NS::dilation_velocity(state->gap, state->dilation, dt);
   }
 }

@@ -71,6 +71,11 @@ class FixRheometerPlates : public Fix {
   void evaluate_targets();    // at the start of a run
   double velocity_after(int d, double force, double mass, double dt) const;
   double response(int d, double mass, double dt) const;
+  // Fluid in the pores between the plates, if nobody knows its pressure in space: its mean is
+  // -drainage (force*time/area) times d ln(gap)/dt, until the next call. It acts on both plates and
+  // is included in the pressures that are put out and held.
+  void drain(double drainage);
+
   bool has_servo() const;    // that holds a pressure
   bool has_gap() const;      // that is given
 
@@ -90,6 +95,7 @@ class FixRheometerPlates : public Fix {
   std::unique_ptr<struct PlatesState> state;        // what a restart file holds
   std::unique_ptr<class ExclusiveParticles> own;    // particles of the plates
   double force_on[2][3];                            // of the suspension on the plates
+  double drainage;                                  // of the pores
 
   // neighbor lists, and what the upper plate has moved since they were made
   std::unique_ptr<class ListKeeper> keeper;
@@ -117,6 +123,7 @@ class FixRheometerPlates : public Fix {
   double damper(int) const;
   Rheometer_NS::Material material() const;
   Rheometer_NS::WallStress stress_on(int) const;
+  double fluid_pressure() const;
   void measure_gap();
   struct Sums;
   void add_particle(int, bool, double *) const;

@@ -44,6 +44,7 @@ void FixRheometerPlates::init()
   for (int plate : {LOWER, UPPER}) check_exclusion(plate);
   targets->check();
   own->start(plate_bits());
+  drainage = 0.0;    // who knows it says so before the first step
   if (update->whichflag != 1) return;
   exclude_integrators();
   set_velocities();

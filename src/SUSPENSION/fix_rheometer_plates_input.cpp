@@ -33,7 +33,7 @@ using Rheometer_NS::UPPER;
 
 FixRheometerPlates::FixRheometerPlates(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), igroup_plate{0, 0}, bit{0, 0}, targets(new PlatesTargets(lmp, style)),
-    state(new PlatesState()), own(new ExclusiveParticles(lmp)), force_on{},
+    state(new PlatesState()), own(new ExclusiveParticles(lmp)), force_on{}, drainage(0.0),
     keeper(new ListKeeper(lmp, this))
 {
   force_reneighbor = 1;

@@ -13,6 +13,7 @@
 #ifndef LUBCONTACT_BATCH_H
 #define LUBCONTACT_BATCH_H
 
+#include "each_processor.h"
 #include "lubcontact_pair.h"
 
 namespace LAMMPS_NS::Lubcontact_NS {
@@ -126,16 +127,6 @@ template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
   else
     step_lanes<E>(b, f, dt);
 }
-
-// One binary for all processors: the vectors are as wide as the processor that runs it has them.
-// Only where our CMake files say that nothing is fused, so that all give the same bits.
-#if defined(SUSPENSION_UNFUSED) && defined(__x86_64__) && defined(__GLIBC__) && \
-    defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && !defined(__AVX2__)
-#define LUBCONTACT_EACH_PROCESSOR \
-  gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"),
-#else
-#define LUBCONTACT_EACH_PROCESSOR
-#endif
 
 template <class E>
 [[LUBCONTACT_EACH_PROCESSOR gnu::flatten, gnu::noinline]] static void

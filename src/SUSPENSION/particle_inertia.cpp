@@ -20,7 +20,7 @@ using namespace LAMMPS_NS;
 Lubcontact_NS::Vec3 Suspension_NS::relative_velocity(LAMMPS *lmp, int i)
 {
   const double *v = lmp->atom->v[i];
-  const auto flow = cell_velocity(lmp->domain, lmp->atom->x[i]);
+  const auto flow = CellFlow(lmp->domain).at(lmp->atom->x[i]);
   return {v[0] - flow[0], v[1] - flow[1], v[2] - flow[2]};
 }
 

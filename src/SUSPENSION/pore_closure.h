@@ -56,14 +56,6 @@ inline double permeability(const Permeability &law, double phi, double radius)
   return law.factor * 2.0 * radius * radius / (9.0 * f * drag_function(law.closure, f));
 }
 
-// What a layer of the height H that dilates evenly at the rate e and drains on one side has as mean
-// pressure, over -e. At the distance y from its other side (k/eta) dp/dy = e y, so that
-//   p = -eta e (H^2 - y^2)/(2 k),   of the mean -eta H^2 e/(3 k)
-inline double layer_drainage(double viscosity, double height, double permeability)
-{
-  return viscosity * height * height / (3.0 * permeability);
-}
-
 // sum of R^3 over sum of R^2, from the volume of the spheres and their R^2; 0 without any
 inline double sauter_radius(double volume, double squares)
 {

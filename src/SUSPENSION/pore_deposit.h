@@ -31,7 +31,6 @@
 
 namespace LAMMPS_NS::Pore_NS {
 
-static constexpr int REACH = 27;        // elements of a particle
 static constexpr double FLAT = 0.01;    // least variance that the bracket uses, in spacings^2
 
 // ---- the spline
@@ -41,12 +40,19 @@ struct Spline {
   double weight[3], offset[3];    // offset: of the particle from the center
 };
 
+// not a call of the library, which std::floor() is for old processors
+inline int floor_of(double x)
+{
+  const int whole = static_cast<int>(x);
+  return x < whole ? whole - 1 : whole;
+}
+
 // xi: lattice coordinate; n elements, periodic or reflected at both ends
 inline Spline spline(double xi, int n, bool reflected)
 {
   Spline s;
-  if (!reflected) xi -= n * std::floor(xi / n);
-  const int middle = static_cast<int>(std::floor(xi));
+  if (!reflected && (xi < 0.0 || xi >= n)) xi -= n * std::floor(xi / n);
+  const int middle = floor_of(xi);
   const double d = xi - (middle + 0.5);
   s.weight[0] = 0.5 * (0.5 - d) * (0.5 - d);
   s.weight[1] = 0.75 - d * d;
@@ -57,8 +63,10 @@ inline Spline spline(double xi, int n, bool reflected)
     if (reflected) {
       while (e < 0 || e >= n) e = e < 0 ? -1 - e : 2 * n - 1 - e;
       s.offset[m] = xi - (e + 0.5);
-    } else
-      e = (e + n) % n;
+    } else if (e < 0)
+      e += n;
+    else if (e >= n)
+      e -= n;
     s.index[m] = e;
   }
   return s;
@@ -80,19 +88,23 @@ inline double part_inside(const Grid &grid, double y, double radius)
   return part_above(from_lower, radius) * part_above(grid.cell.yprd - from_lower, radius);
 }
 
-// Calls f(element, w, offset) for the elements of a particle.
-template <class F> void for_each_reached(const Grid &grid, const Metric &m, const Vec3 &x, F &&f)
+// The elements of a particle: those of three columns along x in nine rows.
+struct Reached {
+  Spline x, y, z;
+  int row[9];
+
+  int element(int r, int a) const { return row[r] + x.index[a]; }
+};
+
+inline Reached reached(const Grid &grid, const Metric &m, const Vec3 &x)
 {
   const Vec3 xi = lattice(grid, m, x);
-  const Spline sx = spline(xi.x, grid.nx, false), sz = spline(xi.z, grid.nz, false);
-  const Spline sy = spline(xi.y, grid.ny, grid.has_plates());
-  for (int b = 0; b < 3; b++)
-    for (int c = 0; c < 3; c++) {
-      const int row = (sy.index[b] * grid.nz + sz.index[c]) * grid.nx;
-      const double w = sy.weight[b] * sz.weight[c];
-      for (int a = 0; a < 3; a++)
-        f(row + sx.index[a], w * sx.weight[a], Vec3{sx.offset[a], sy.offset[b], sz.offset[c]});
-    }
+  Reached r{spline(xi.x, grid.nx, false),
+            spline(xi.y, grid.ny, grid.has_plates()),
+            spline(xi.z, grid.nz, false),
+            {}};
+  for (int n = 0; n < 9; n++) r.row[n] = (r.y.index[n / 3] * grid.nz + r.z.index[n % 3]) * grid.nx;
+  return r;
 }
 
 // ---- first sum over particles: what they fill
@@ -111,20 +123,29 @@ static_assert(sizeof(Moments) == MOMENTS * sizeof(double), "summed over ranks as
 inline void add_moments(const Grid &grid, const Metric &m, const Vec3 &x, double volume,
                         double square, Moments *sums)
 {
-  for_each_reached(grid, m, x, [=](int e, double w, const Vec3 &d) {
-    Moments &s = sums[e];
-    const double v = volume * w;
-    const Vec3 vd = v * d;
-    s.volume += v;
-    s.squares += square * w;
-    s.first = s.first + vd;
-    s.xx += vd.x * d.x;
-    s.yy += vd.y * d.y;
-    s.zz += vd.z * d.z;
-    s.xy += vd.x * d.y;
-    s.xz += vd.x * d.z;
-    s.yz += vd.y * d.z;
-  });
+  const Reached at = reached(grid, m, x);
+  for (int r = 0; r < 9; r++) {
+    const int b = r / 3, c = r % 3;
+    const double w = at.y.weight[b] * at.z.weight[c], v = volume * w, s = square * w;
+    const double y = at.y.offset[b], z = at.z.offset[c];
+    const double vy = v * y, vz = v * z, vyy = vy * y, vzz = vz * z, vyz = vy * z;
+    Moments *row = sums + at.row[r];
+    for (int a = 0; a < 3; a++) {
+      Moments &sum = row[at.x.index[a]];
+      const double one = at.x.weight[a], first = one * at.x.offset[a];
+      sum.volume += one * v;
+      sum.squares += one * s;
+      sum.first.x += first * v;
+      sum.first.y += one * vy;
+      sum.first.z += one * vz;
+      sum.xx += first * at.x.offset[a] * v;
+      sum.yy += one * vyy;
+      sum.zz += one * vzz;
+      sum.xy += first * vy;
+      sum.xz += first * vz;
+      sum.yz += one * vyz;
+    }
+  }
 }
 
 // ---- elements
@@ -185,8 +206,8 @@ inline Vec3 bounded_solve(const Symmetric &s, const Vec3 &a, double least)
 
 struct Element {
   double phi = 0.0, radius = 0.0, permeability = 0.0;
-  double scale = 0.0;    // of the weights: 1/(phi_e V_e)
-  Vec3 mean, slope;      // <x> and g of the bracket
+  double constant = 0.0;    // of the weights, W = V w (constant + slope.offset): what the bracket
+  Vec3 slope;               // over phi_e V_e is
 };
 
 // Radii are Sauter's. An element with less than phi_min is filled up with the mean of all
@@ -209,14 +230,15 @@ inline std::vector<Element> make_elements(const Grid &grid, const Permeability &
     one.phi = s.volume / element_volume;
     one.radius = sauter_radius(s.volume + fill, s.squares + fill * squares_of_volume);
     one.permeability = permeability(law, one.phi, one.radius);
-    one.scale = 1.0 / larger(s.volume, least);
+    const double f = 1.0 / larger(s.volume, least);
+    one.constant = f;
     if (!(s.volume > least)) continue;
-    const double f = one.scale;
     const Vec3 a = f * s.first;
     const Symmetric m{f * s.xx - a.x * a.x, f * s.yy - a.y * a.y, f * s.zz - a.z * a.z,
                       f * s.xy - a.x * a.y, f * s.xz - a.x * a.z, f * s.yz - a.y * a.z};
-    one.mean = a;
-    one.slope = bounded_solve(m, -1.0 * a, FLAT);
+    const Vec3 slope = bounded_solve(m, -1.0 * a, FLAT);
+    one.constant = f * (1.0 - dot(slope, a));
+    one.slope = f * slope;
   }
   return elements;
 }
@@ -224,53 +246,85 @@ inline std::vector<Element> make_elements(const Grid &grid, const Permeability &
 // ---- second sum over particles: how they move
 
 // The weights W_ei of a particle; an element that it reaches around the cell occurs once per image.
+// They are in lattice coordinates and stay if the cell deforms with all that is in it.
 struct Stencil {
-  int element[REACH];
-  double weight[REACH];
+  double weight[9][3];
+  int row[9], column[3];
+
+  int element(int r, int a) const { return row[r] + column[a]; }
 };
 
 inline Stencil make_stencil(const Grid &grid, const Metric &m, const std::vector<Element> &elements,
                             const Vec3 &x, double volume)
 {
+  const Reached at = reached(grid, m, x);
   Stencil s;
-  int n = 0;
-  for_each_reached(grid, m, x, [&](int e, double w, const Vec3 &d) {
-    const Element &one = elements[e];
-    s.element[n] = e;
-    s.weight[n] = volume * w * one.scale * (1.0 + dot(one.slope, d - one.mean));
-    n++;
-  });
+  std::copy_n(at.row, 9, s.row);
+  std::copy_n(at.x.index, 3, s.column);
+  for (int r = 0; r < 9; r++) {
+    const double y = at.y.offset[r / 3], z = at.z.offset[r % 3];
+    const double w = volume * at.y.weight[r / 3] * at.z.weight[r % 3];
+    const Element *row = elements.data() + s.row[r];
+    for (int a = 0; a < 3; a++) {
+      const Element &one = row[s.column[a]];
+      s.weight[r][a] = w * at.x.weight[a] * (one.constant + dot(one.slope, {at.x.offset[a], y, z}));
+    }
+  }
   return s;
+}
+
+// Three numbers where processors have room for four.
+struct alignas(4 * sizeof(double)) Lanes : Vec3 {
+  double fourth = 0.0;
+};
+
+// a += w b
+inline void add_to(Lanes &a, double w, const Lanes &b)
+{
+  a.x += w * b.x;
+  a.y += w * b.y;
+  a.z += w * b.z;
+  a.fourth += w * b.fourth;
 }
 
 // Doubles only, to be summed over the ranks as such.
 struct Motion {
-  Vec3 velocity;         // u_e
-  double bound = 0.0;    // b_e, 1/density: sum_i |W_ei|/m_i sum_e' |W_e'i| V_e'
+  Lanes velocity;    // u_e
 };
 static constexpr int MOTIONS = 4;
 static_assert(sizeof(Motion) == MOTIONS * sizeof(double), "summed over ranks as an array");
 
-// velocity of the particle; inverse_mass is 0 if no force moves it
-inline void add_motion(const Stencil &s, const Vec3 &velocity, double inverse_mass,
-                       double element_volume, Motion *sums)
+inline void add_motion(const Stencil &s, const Lanes &velocity, Motion *sums)
 {
-  double reach = 0.0;
-  for (double w : s.weight) reach += std::fabs(w);
-  const double bound = inverse_mass * element_volume * reach;
-  for (int n = 0; n < REACH; n++) {
-    Motion &m = sums[s.element[n]];
-    m.velocity = m.velocity + s.weight[n] * velocity;
-    m.bound += std::fabs(s.weight[n]) * bound;
+  for (int r = 0; r < 9; r++) {
+    Motion *row = sums + s.row[r];
+    for (int a = 0; a < 3; a++) add_to(row[s.column[a]].velocity, s.weight[r][a], velocity);
   }
 }
 
-// Force on the particle, from the gradients of the pressure at the centers of the elements.
-inline Vec3 pore_force(const Stencil &s, double element_volume, const std::vector<Vec3> &gradients)
+// Added to b_e, 1/density: sum_i |W_ei|/m_i sum_e' |W_e'i| V_e'. inverse_mass is 0 if no force
+// moves the particle.
+inline void add_bound(const Stencil &s, double inverse_mass, double element_volume, double *sums)
 {
-  Vec3 sum;
-  for (int n = 0; n < REACH; n++) sum = sum + s.weight[n] * gradients[s.element[n]];
-  return -element_volume * sum;
+  double reach = 0.0;
+  for (const auto &row : s.weight)
+    for (double w : row) reach += std::fabs(w);
+  const double bound = inverse_mass * element_volume * reach;
+  for (int r = 0; r < 9; r++)
+    for (int a = 0; a < 3; a++) sums[s.element(r, a)] += std::fabs(s.weight[r][a]) * bound;
+}
+
+// Force on the particle, from the gradients of the pressure at the centers of the elements.
+inline Lanes pore_force(const Stencil &s, double element_volume,
+                        const std::vector<Lanes> &gradients)
+{
+  Lanes sum, force;
+  for (int r = 0; r < 9; r++) {
+    const Lanes *row = gradients.data() + s.row[r];
+    for (int a = 0; a < 3; a++) add_to(sum, s.weight[r][a], row[s.column[a]]);
+  }
+  add_to(force, -element_volume, sum);
+  return force;
 }
 
 }    // namespace LAMMPS_NS::Pore_NS

@@ -95,14 +95,14 @@ inline CenterGradients center_gradients(const Grid &grid)
 }
 
 // grad p at the centers of the elements, plus a mean one
-inline std::vector<Vec3> gradients(const Grid &grid, const Field &p, const Vec3 &mean = {})
+inline std::vector<Lanes> gradients(const Grid &grid, const Field &p, const Vec3 &mean = {})
 {
   const CenterGradients g = center_gradients(grid);
-  std::vector<Vec3> at(grid.elements());
+  std::vector<Lanes> at(grid.elements());
   for_each_element(grid, [&](int e, const int *corner) {
     Vec3 sum = mean;
     for (int c = 0; c < CORNERS; c++) sum = sum + p[corner[c]] * g.of[c];
-    at[e] = sum;
+    at[e] = {sum};
   });
   return at;
 }
@@ -177,6 +177,30 @@ inline double mean_pressure(const Grid &grid, const Field &p)
   double sum = 0.0;
   for (int j = 0; j < grid.layers(); j++) sum += node_share(grid, j) * layer_mean(grid, p, j);
   return sum / grid.ny;
+}
+
+// means over the elements: of their corners, exact for what is linear along each edge
+inline std::vector<double> element_means(const Grid &grid, const Field &p)
+{
+  std::vector<double> means(grid.elements());
+  for_each_element(grid, [&](int e, const int *corner) {
+    double sum = 0.0;
+    for (int c = 0; c < CORNERS; c++) sum += p[corner[c]];
+    means[e] = sum / CORNERS;
+  });
+  return means;
+}
+
+// What of an integral over the elements belongs to a particle: sum_e W_ei times that of the
+// element. All particles together have all of it, and its first moment sum_i x_i share_i is sum_e
+// x_e times that of the element: a profile over the particles is at the right place, also at a
+// plate, from which their centers keep a distance. Clear fluid belongs to none.
+inline double share_of(const Stencil &s, const std::vector<double> &integrals)
+{
+  double sum = 0.0;
+  for (int r = 0; r < 9; r++)
+    for (int a = 0; a < 3; a++) sum += s.weight[r][a] * integrals[s.element(r, a)];
+  return sum;
 }
 
 // sets the nodes where the pressure is given

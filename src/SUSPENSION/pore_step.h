@@ -35,10 +35,10 @@ inline Vec3 predicted(const Vec3 &v, const Vec3 &other_force, const Vec3 &pore_f
 
 // k_e/eta + dt b_e; dt = 0 if particles do not feel the pressure
 inline std::vector<double> implicit_mobilities(const std::vector<double> &mobility,
-                                               const std::vector<Motion> &motion, double dt)
+                                               const std::vector<double> &bound, double dt)
 {
   std::vector<double> sum(mobility);
-  for (std::size_t e = 0; e < sum.size(); e++) sum[e] += dt * motion[e].bound;
+  for (std::size_t e = 0; e < sum.size(); e++) sum[e] += dt * bound[e];
   return sum;
 }
 
@@ -130,7 +130,7 @@ inline double dissipation(const Grid &grid, const ElementMatrix &matrix,
   Field y;
   apply_darcy(grid, matrix, mobility, p, y);
   double sum = scalar_product(p, y);
-  const std::vector<Vec3> gradient = gradients(grid, p);
+  const std::vector<Lanes> gradient = gradients(grid, p);
   for (std::size_t e = 0; e < gradient.size(); e++)
     sum +=
         grid.element_volume() * mobility[e] * dot(mean_gradient, 2.0 * gradient[e] + mean_gradient);
@@ -138,7 +138,7 @@ inline double dissipation(const Grid &grid, const ElementMatrix &matrix,
 }
 
 // of the fluid relative to the particles, per area: mean over the grid
-inline Vec3 mean_flux(const std::vector<double> &mobility, const std::vector<Vec3> &gradient)
+inline Vec3 mean_flux(const std::vector<double> &mobility, const std::vector<Lanes> &gradient)
 {
   Vec3 sum;
   for (std::size_t e = 0; e < gradient.size(); e++) sum = sum - mobility[e] * gradient[e];
@@ -161,7 +161,7 @@ inline WallFlux wall_flux(const Grid &grid, const Field &imbalance)
 // Force of the pressure that finds no particles: sum of the weights of clear elements is less than
 // 1.
 inline Vec3 clear_force(const Grid &grid, const Permeability &law,
-                        const std::vector<Element> &elements, const std::vector<Vec3> &gradient)
+                        const std::vector<Element> &elements, const std::vector<Lanes> &gradient)
 {
   Vec3 sum;
   for (std::size_t e = 0; e < gradient.size(); e++)
@@ -170,11 +170,11 @@ inline Vec3 clear_force(const Grid &grid, const Permeability &law,
 }
 
 // Step up to which explicit coupling, F = D^T p with K p = -D v of v(n-1/2), is stable for sure.
-inline double explicit_step(const std::vector<double> &mobility, const std::vector<Motion> &motion)
+inline double explicit_step(const std::vector<double> &mobility, const std::vector<double> &bound)
 {
   double rate = 0.0;
   for (std::size_t e = 0; e < mobility.size(); e++)
-    if (motion[e].bound > 0.0) rate = larger(motion[e].bound / mobility[e], rate);
+    if (bound[e] > 0.0) rate = larger(bound[e] / mobility[e], rate);
   return 2.0 / rate;
 }
 

@@ -27,7 +27,7 @@
 // counts as jammed. Each step is solved exactly for constant p.
 //
 // Fluid that a layer takes in as it dilates must flow through its pores: the mean pressure of the
-// fluid is -L e, see layer_drainage() in pore_closure.h. If P is that of particles and fluid,
+// fluid is -L e, see layer_drainage() in pore_layer.h. If P is that of particles and fluid,
 //
 //   I de/dt + (C + L) e = p - P
 //

@@ -20,6 +20,7 @@
 #include "pair.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -136,14 +137,12 @@ Suspension_NS::CellGradient Suspension_NS::cell_gradient(const Domain *domain)
   return l;
 }
 
-std::array<double, 3> Suspension_NS::cell_velocity(Domain *domain, double *x)
+Suspension_NS::CellFlow::CellFlow(const Domain *domain)
 {
-  if (!domain->deform_flag) return {0.0, 0.0, 0.0};
-  const double *rate = domain->h_rate, *lo_rate = domain->h_ratelo;
-  double lamda[3];
-  domain->x2lamda(x, lamda);
-  return {rate[0] * lamda[0] + rate[5] * lamda[1] + rate[4] * lamda[2] + lo_rate[0],
-          rate[1] * lamda[1] + rate[3] * lamda[2] + lo_rate[1], rate[2] * lamda[2] + lo_rate[2]};
+  if (!domain->deform_flag) return;
+  gradient = cell_gradient(domain);
+  std::copy_n(domain->boxlo, 3, origin.begin());
+  std::copy_n(domain->h_ratelo, 3, of_origin.begin());
 }
 
 /* ---------------------------------------------------------------------- */

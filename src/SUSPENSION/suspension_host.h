@@ -59,8 +59,22 @@ struct CellGradient {
 };
 CellGradient cell_gradient(const Domain *);
 
-// velocity at the point x of a deforming cell; 0 if it does not deform
-std::array<double, 3> cell_velocity(Domain *, double *x);
+// Velocity of the deforming cell at this moment; 0 if it does not deform.
+class CellFlow {
+ public:
+  explicit CellFlow(const Domain *);
+  std::array<double, 3> at(const double *x) const
+  {
+    const double r[3] = {x[0] - origin[0], x[1] - origin[1], x[2] - origin[2]};
+    return {of_origin[0] + gradient.xx * r[0] + gradient.xy * r[1] + gradient.xz * r[2],
+            of_origin[1] + gradient.yy * r[1] + gradient.yz * r[2],
+            of_origin[2] + gradient.zz * r[2]};
+  }
+
+ private:
+  CellGradient gradient;
+  std::array<double, 3> origin{}, of_origin{};
+};
 
 // A sum over particles as it was, if the new one differs by rounding alone: another order of the
 // particles then leaves a continued run as it is.

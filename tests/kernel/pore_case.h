@@ -97,6 +97,15 @@ inline Grid grid_of(const Cell &c, double h, Wall lower, Wall upper)
   return g;
 }
 
+// f(element, row, column, offset from its center) for all that a particle reaches
+template <class F> void for_each_reached(const Grid &g, const Vec3 &x, const F &f)
+{
+  const Reached at = reached(g, metric(g), x);
+  for (int r = 0; r < 9; r++)
+    for (int a = 0; a < 3; a++)
+      f(at.element(r, a), r, a, Vec3{at.x.offset[a], at.y.offset[r / 3], at.z.offset[r % 3]});
+}
+
 // phases 1 and 2 of a step
 struct Pores {
   Grid grid;
@@ -126,17 +135,22 @@ struct Pores {
   {
     return part_inside(grid, bed.x[i].y, bed.radius[i]);
   }
-  // all particles with the same inverse mass
-  std::vector<Motion> motion(const std::vector<Vec3> &v, double inverse_mass = 0.0) const
+  std::vector<Motion> motion(const std::vector<Vec3> &v) const
   {
     std::vector<Motion> sums(grid.elements());
-    for (std::size_t i = 0; i < v.size(); i++)
-      add_motion(stencils[i], v[i], inverse_mass, grid.element_volume(), sums.data());
+    for (std::size_t i = 0; i < v.size(); i++) add_motion(stencils[i], {v[i]}, sums.data());
+    return sums;
+  }
+  std::vector<double> bounds(const std::vector<double> &inverse_mass) const
+  {
+    std::vector<double> sums(grid.elements());
+    for (std::size_t i = 0; i < inverse_mass.size(); i++)
+      add_bound(stencils[i], inverse_mass[i], grid.element_volume(), sums.data());
     return sums;
   }
   std::vector<Vec3> forces(const Field &p, const Vec3 &mean = {}) const
   {
-    const std::vector<Vec3> g = gradients(grid, p, mean);
+    const std::vector<Lanes> g = gradients(grid, p, mean);
     std::vector<Vec3> f;
     for (const Stencil &s : stencils) f.push_back(pore_force(s, grid.element_volume(), g));
     return f;

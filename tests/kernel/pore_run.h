@@ -8,16 +8,6 @@
 
 namespace pore_case {
 
-// what add_motion gives for particles of different masses
-inline std::vector<Motion> motion_of(const Pores &pores, const std::vector<Vec3> &v,
-                                     const std::vector<double> &inverse_mass)
-{
-  std::vector<Motion> sums(pores.grid.elements());
-  for (std::size_t i = 0; i < v.size(); i++)
-    add_motion(pores.stencils[i], v[i], inverse_mass[i], pores.grid.element_volume(), sums.data());
-  return sums;
-}
-
 inline double same_on_all_ranks(double value)
 {
   return value;
@@ -70,10 +60,11 @@ struct LinearRun {
     std::vector<Vec3> ahead = pores.forces(p);
     for (std::size_t i = 0; i < v.size(); i++)
       ahead[i] = predicted(v[i], other[i], ahead[i], inverse_mass[i], dt);
-    const std::vector<Motion> motion = motion_of(pores, ahead, inverse_mass);
+    const std::vector<Motion> motion = pores.motion(ahead);
     Field r = imbalance(pores.grid, pores.matrix, pores.mobility, motion, {}, {}, p), change;
     project(pores.grid, false, r);
-    solver.solve(r, largest(implicit_mobilities(pores.mobility, motion, dt)), 0.0, change);
+    solver.solve(r, largest(implicit_mobilities(pores.mobility, pores.bounds(inverse_mass), dt)),
+                 0.0, change);
     for (std::size_t n = 0; n < p.size(); n++) p[n] += change[n];
     f_pore = pores.forces(p);
     for (std::size_t i = 0; i < v.size(); i++)

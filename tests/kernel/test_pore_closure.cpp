@@ -55,22 +55,6 @@ TEST(PoreClosure, LimitsKeepItPositiveAndFinite)
   }
 }
 
-TEST(PoreClosure, ALayerThatDilatesSucksWithTheMeanOfAParabola)
-{
-  // flux e y through the height y of a layer that is closed below; p = 0 above
-  const double eta = 1.7, k = 0.03, height = 5.0, rate = 0.2;
-  const int slices = 1000;
-  const double dy = height / slices;
-  double p = 0.0, mean = 0.0;
-  for (int n = slices - 1; n >= 0; n--) {    // from the top
-    const double slope = eta / k * rate * (n + 0.5) * dy;
-    mean += (p - 0.5 * slope * dy) / slices;
-    p -= slope * dy;
-  }
-  EXPECT_NEAR(-layer_drainage(eta, height, k) * rate / mean, 1.0, 1e-5);
-  EXPECT_NEAR(p / mean, 1.5, 1e-5);    // below
-}
-
 TEST(PoreClosure, FactorAndConstant)
 {
   const Permeability constant{Closure::CONSTANT, 0.3, 100.0, 0.1};

@@ -55,12 +55,11 @@ TEST(PoreReference, ElementsAndBounds)
   for (const PoreCase &c : PORE_CASES) {
     SCOPED_TRACE(c.name);
     const Case one(c);
-    std::vector<double> phi, bound;
+    std::vector<double> phi;
     for (const Element &e : one.pores.elements) phi.push_back(e.phi);
-    for (const Motion &m : motion_of(one.pores, one.v, one.inverse_mass)) bound.push_back(m.bound);
     expect_same(phi, c.phi);
     expect_same(one.pores.mobility, c.mobility);
-    expect_same(bound, c.bound);
+    expect_same(one.pores.bounds(one.inverse_mass), c.bound);
   }
 }
 
@@ -73,13 +72,16 @@ TEST(PoreReference, Step)
     std::vector<Vec3> ahead = one.pores.forces(c.p, PORE_SLOPE);
     for (std::size_t i = 0; i < ahead.size(); i++)
       ahead[i] = predicted(one.v[i], one.force[i], ahead[i], one.inverse_mass[i], PORE_DT);
-    const std::vector<Motion> motion = motion_of(one.pores, ahead, one.inverse_mass);
+    const std::vector<Motion> motion = one.pores.motion(ahead);
     Field r = imbalance(g, one.pores.matrix, one.pores.mobility, motion, c.walls, PORE_SLOPE, c.p);
     project(g, false, r);
     ConstantSolver solver(g);
     solver.set_cell(g);
     Field p;
-    solver.solve(r, largest(implicit_mobilities(one.pores.mobility, motion, PORE_DT)), 0.0, p);
+    solver.solve(r,
+                 largest(implicit_mobilities(one.pores.mobility, one.pores.bounds(one.inverse_mass),
+                                             PORE_DT)),
+                 0.0, p);
     for (std::size_t n = 0; n < p.size(); n++) p[n] += c.p[n];
     expect_same(p, c.p_next);
     std::vector<double> forces;

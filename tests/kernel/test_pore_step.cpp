@@ -165,11 +165,10 @@ TEST(PoreStep, ConstantSolverAndItsLocalFormBoundTheImplicitMatrix)
       const auto response = [&](const Field &p, std::vector<Motion> &motion, WallVelocity &wall) {
         std::vector<Vec3> a = pores.forces(p);
         for (std::size_t i = 0; i < a.size(); i++) a[i] = inverse[i] * a[i];
-        motion = motion_of(pores, a, inverse);
+        motion = pores.motion(a);
         if (moved) wall.upper = wall_force(g, p).upper / plate_mass;
       };
-      const std::vector<Motion> motion = motion_of(pores, std::vector<Vec3>(bed.size()), inverse);
-      std::vector<double> bound = implicit_mobilities(pores.mobility, motion, dt);
+      std::vector<double> bound = implicit_mobilities(pores.mobility, pores.bounds(inverse), dt);
       for (double &b : bound) b += moved ? dt * wall_bound(g, plate_mass) : 0.0;
       ConstantSolver solver(g);
       solver.set_cell(g);
@@ -201,15 +200,15 @@ TEST(PoreStep, BoundIsCloseForSmoothPressures)
   const auto response = [&](const Field &p, std::vector<Motion> &motion, WallVelocity &) {
     std::vector<Vec3> a = pores.forces(p);
     for (Vec3 &f : a) f = (1.0 / 0.7) * f;
-    motion = motion_of(pores, a, inverse);
+    motion = pores.motion(a);
   };
-  const std::vector<Motion> motion = motion_of(pores, std::vector<Vec3>(60), inverse);
   Field p, a, b;
   for (int j = 0; j <= 40; j++) p.push_back(std::cos(PI * j / 80.0));
   set_fixed(pores.grid, 0.0, 0.0, p);
   const double dt = 3.0;
   apply_implicit(pores.grid, pores.matrix, pores.mobility, dt, 0.0, response, p, a);
-  apply_darcy(pores.grid, pores.matrix, implicit_mobilities(pores.mobility, motion, dt), p, b);
+  apply_darcy(pores.grid, pores.matrix,
+              implicit_mobilities(pores.mobility, pores.bounds(inverse), dt), p, b);
   EXPECT_NEAR(scalar_product(p, b) / scalar_product(p, a), 1.02, 0.02);
 }
 
@@ -252,20 +251,20 @@ TEST(PoreStep, FullyImplicitStepIsBackwardEulerOfDarcysLaw)
       std::vector<Vec3> ahead = pores.forces(p);
       for (std::size_t i = 0; i < v.size(); i++)
         ahead[i] = predicted(v[i], force[i], ahead[i], inverse[i], dt);
-      const std::vector<Motion> motion = motion_of(pores, ahead, inverse);
+      const std::vector<Motion> motion = pores.motion(ahead);
       Field r = imbalance(g, pores.matrix, pores.mobility, motion, {}, {}, p);
       project(g, storage > 0.0, r);
       const auto response = [&](const Field &q, std::vector<Motion> &sums, WallVelocity &) {
         std::vector<Vec3> a = pores.forces(q);
         for (std::size_t i = 0; i < a.size(); i++) a[i] = inverse[i] * a[i];
-        sums = motion_of(pores, a, inverse);
+        sums = pores.motion(a);
       };
       const auto apply = [&](const Field &q, Field &y) {
         apply_implicit(g, pores.matrix, pores.mobility, dt, s, response, q, y);
       };
       ConstantSolver solver(g);
       solver.set_cell(g);
-      const double c = largest(implicit_mobilities(pores.mobility, motion, dt));
+      const double c = largest(implicit_mobilities(pores.mobility, pores.bounds(inverse), dt));
       const auto precondition = [&](const Field &q, Field &y) {
         solver.solve(q, c, s, y);
       };
@@ -278,8 +277,7 @@ TEST(PoreStep, FullyImplicitStepIsBackwardEulerOfDarcysLaw)
       const std::vector<Vec3> f = pores.forces(next);
       for (std::size_t i = 0; i < v.size(); i++)
         v[i] = predicted(v[i], force[i], f[i], inverse[i], dt);
-      Field left =
-          imbalance(g, pores.matrix, pores.mobility, motion_of(pores, v, inverse), {}, {}, next);
+      Field left = imbalance(g, pores.matrix, pores.mobility, pores.motion(v), {}, {}, next);
       for (int j = 0; j < g.layers(); j++)
         for (int n = 0; n < g.layer_size(); n++)
           left[j * g.layer_size() + n] -= s * node_share(g, j) * change[j * g.layer_size() + n];
@@ -355,8 +353,7 @@ TEST(PoreStep, ExplicitLimitIsSafeAndNotFarOff)
   Bed bed;
   const Pores pores = random_pores(rnd, SIDES[1], 0.5, 1.4, bed);
   const std::vector<double> inverse(bed.size(), 2.0);
-  const double limit =
-      explicit_step(pores.mobility, motion_of(pores, std::vector<Vec3>(bed.size()), inverse));
+  const double limit = explicit_step(pores.mobility, pores.bounds(inverse));
   const auto growth = [&](double dt) {
     std::vector<Vec3> v;
     for (std::size_t i = 0; i < bed.size(); i++) v.push_back(rnd.vector(1.0));

@@ -2,6 +2,7 @@
 // materials for which they are meant. What they act on are models of a few equations, below.
 
 #include "pore_closure.h"
+#include "pore_layer.h"
 #include "rheometer_servo.h"
 #include "tools.h"
 

@@ -12,7 +12,8 @@ SRC = Path(__file__).resolve().parents[2] / "src"
 LAYERS = (
     ("objects of the pair style", 3, "objects lubcontact_loop* radical_tessellation.*"),
     ("physics", 0, "lubcontact_*.h pairstat_*.h material_*.h fluid_*.h restart_seal.h "
-                   "pore_closure.h pore_grid.h pore_deposit.h pore_operator.h pore_solve.h pore_cg.h pore_step.h "
+                   "each_processor.h pore_closure.h pore_layer.h pore_grid.h pore_deposit.h pore_spread.h pore_operator.h "
+                   "pore_solve.h pore_cg.h pore_step.h "
                    "hydro_tensors.h hydro_wide.h hydro_grid.h hydro_layers.h hydro_solve.h hydro_hold.h "
                    "rheometer_flow.h rheometer_list.h rheometer_mean.h rheometer_plate.h rheometer_servo.h"),
     ("physics of the adviser", 1, "scene_numbers.h scene_verdict.h scene_bounds.h scene_settling.h scene_accuracy.h "

@@ -84,6 +84,18 @@ for what, case in FLOWS.items() if SINGLE else ():
     deck.expect_close(f"{what}: they turn into heat what they are given", np.mean(t["power"][80:]),
                       np.mean((t["heat"] * t["Volume"])[80:]), rtol=0.02)
 
+# weights that stay for some steps: their error is of the distance that particles go meanwhile, over a spacing
+apart = {}
+for n in (1, 5, 20) if SINGLE else ():
+    t = read(pore=f"pair cell every {n}")
+    if n == 1:
+        anew = t
+    apart[n] = [np.max(np.abs(t[name] - anew[name])) / np.max(anew[name]) for name in ("largest", "heat")]
+    print(f"every {n}:", *(f"{value:.2e}" for value in apart[n]))
+if SINGLE:
+    deck.expect("every 20 is close to every 1, and not the same", 1e-6 < max(apart[20]) < 0.02, str(apart[20]))
+    deck.expect("every 5 is closer", max(apart[5]) < 0.5 * max(apart[20]), str(apart[5]))
+
 # a flip: the nodes are others then, and the pressure is solved anew
 for flip in ("yes", "no"):
     t = read(flow=f"deform 1 xy erate 1.0 remap v flip {flip}", tilt=0.45)
