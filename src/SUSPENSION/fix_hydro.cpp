@@ -48,7 +48,7 @@ static constexpr int LOAD = 0, BEFORE = NUMBERS, MOTION = 2 * NUMBERS, NUM_HELD 
 FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), settings(new HydroSettings()), field(new HydroField(lmp, this)),
     own(new ExclusiveParticles(lmp)), inertia(new SpinInertia()), list(nullptr), deforms(false),
-    held(nullptr), force_of_atom(nullptr), work(0.0), total{}
+    held(nullptr), force_of_atom(nullptr), work(0.0), total{}, step_power(0.0)
 {
   if (!HydroField::has_library()) error->all(FLERR, 2, "Fix hydro {}", HydroField::NO_LIBRARY);
   parse(narg, arg);
@@ -75,6 +75,12 @@ FixHydro::~FixHydro()
   atom->delete_callback(id, Atom::RESTART);
   memory->destroy(held);
   memory->destroy(force_of_atom);
+}
+
+FixHydro *FixHydro::find(LAMMPS *lmp)
+{
+  const auto fixes = lmp->modify->get_fix_by_style("^hydro");
+  return fixes.empty() ? nullptr : dynamic_cast<FixHydro *>(fixes.front());
 }
 
 int FixHydro::setmask()
@@ -113,6 +119,7 @@ void FixHydro::setup(int /*vflag*/)
   const double viscosity = viscosity_now();
   if (state.solutions == 0.0) solve(FIRST * settings->tolerance, viscosity);
   act(true);
+  step_power = 0.0;    // no step yet
 }
 
 void FixHydro::post_force(int /*vflag*/)
@@ -123,10 +130,12 @@ void FixHydro::post_force(int /*vflag*/)
   for (const double value : e) square += value * value;
   state.strain += sqrt(2.0 * square) * update->dt;
   const double steps = static_cast<double>(update->ntimestep) - state.step;
-  const bool due = settings->every ? steps >= settings->every
+  const bool due = settings->every ? steps >= settings->every || steps < 0.0
                                    : state.strain >= settings->strain * (1.0 - 1e-9);
   if (due) solve(settings->tolerance, viscosity);
+  const double before = work;
   act(false);
+  step_power = 0.5 * (before + work);
 }
 
 /* ----------------------------------------------------------------------
@@ -264,7 +273,7 @@ void FixHydro::act(bool full)
   double e[5];
   find_strain(e);
   work = 0.0;
-  std::fill_n(total, 3, 0.0);
+  std::fill_n(total, 6, 0.0);
   // damps what acts on v; the mean force of the fluid in this step
   auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &flow,
                   const Vec3 &relative, const Vec3 &load, double *f) {
@@ -291,6 +300,7 @@ void FixHydro::act(bool full)
                         get_vector(h + MOTION + 3), get_vector(h + LOAD + 3), atom->torque[i]);
     for (int n = 0; n < 5; n++) work -= h[LOAD + 6 + n] * e[n];
     Lubcontact_NS::add_vector(f, total);
+    Lubcontact_NS::add_vector(t, total + 3);
     Lubcontact_NS::put_vector(f, force_of_atom[i]);
     Lubcontact_NS::put_vector(t, force_of_atom[i] + 3);
   }
@@ -323,6 +333,41 @@ double FixHydro::compute_vector(int n)
   const Hydro_NS::Tensor s = Hydro_NS::get_strain(all);
   const double six[6] = {s.x.x, s.y.y, s.z.z, s.x.y, s.x.z, s.y.z};
   return -force->nktv2p * six[n - Output::STRESS] / Suspension_NS::cell_volume(domain);
+}
+
+void FixHydro::add_stresslets(double *nine) const
+{
+  double sum[5] = {};
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit)
+      for (int k = 0; k < 5; k++) sum[k] += held[i][LOAD + 6 + k];
+  const Hydro_NS::Tensor s = Hydro_NS::get_strain(sum);
+  const double parts[9] = {s.x.x, s.y.y, s.z.z, s.x.y, s.x.z, s.y.z, s.x.y, s.x.z, s.y.z};
+  for (int n = 0; n < 9; n++) nine[n] += parts[n];
+}
+
+double FixHydro::stresslet_power() const
+{
+  double e[5], sum = 0.0;
+  find_strain(e);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit)
+      for (int k = 0; k < 5; k++) sum -= held[i][LOAD + 6 + k] * e[k];
+  return sum;
+}
+
+double FixHydro::torque(int d)
+{
+  double all;
+  MPI_Allreduce(&total[3 + d], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixHydro::mean_power()
+{
+  double all;
+  MPI_Allreduce(&step_power, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
 }
 
 double FixHydro::memory_usage()

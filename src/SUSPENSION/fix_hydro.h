@@ -54,7 +54,13 @@ class FixHydro : public Fix {
   int pack_reverse_comm(int, int, double *) override;
   void unpack_reverse_comm(int, int *, double *) override;
 
-  double heat() { return compute_vector(Output::HEAT); }    // dissipated in the last step
+  static FixHydro *find(class LAMMPS *);    // null without one
+
+  // for computes; the first two of this rank
+  void add_stresslets(double *nine) const;    // xx yy zz xy xz yz yx zx zy
+  double stresslet_power() const;             // what they take from the flow
+  double torque(int d);                       // of the fluid on all particles
+  double mean_power();                        // dissipated, mean of the last step
 
  protected:
   // f_ID[1] and so on: see the manual
@@ -74,7 +80,8 @@ class FixHydro : public Fix {
   bool deforms;              // the cell
   double **held;             // of each particle: load, the one before, velocity and spin
   double **force_of_atom;    // for output: force and torque of the fluid
-  double work, total[3];     // of this rank: heat without stresslets, force of the fluid
+  double work, total[6];     // of this rank: heat, force and torque of the fluid
+  double step_power;         // of this rank, mean of the last step
 
   // numbers only: a restart file holds it
   struct State {

@@ -79,6 +79,27 @@ def flip():
     deck.expect("flip: no solution because of it", np.array_equal(yes["solutions"], no["solutions"]))
 
 
+ROWS = [f"c_power[{m}][{n}]" for n in (1, 2) for m in range(1, 12)]
+
+
+def balance():
+    """What the shear puts in is stored, kinetic, or turned into heat: by films, contacts and far field."""
+    stress = "c_stress[8][1] c_stress[8][2] c_stress[8][3] c_stress[8][4] c_stress[8][5] c_stress[8][6]"
+    errors = []
+    for fraction in (1, 0.25):
+        dt = 5e-4 * fraction
+        t = read(step=dt, steps=int(240 / fraction), more=" ".join(["c_power", *ROWS, stress]))
+        put = np.concatenate(([0.0], np.cumsum(0.5 * (t["c_power"][1:] + t["c_power"][:-1])))) * dt
+        lost = np.concatenate(([0.0], np.cumsum(np.sum([t[name] for name in ROWS[:11]], axis=0)[1:]))) * dt
+        stored = np.sum([t[name] for name in ROWS[11:]], axis=0)
+        errors.append(np.max(np.abs(put - lost - stored + stored[0])) / np.max(np.abs(put)))
+        share = np.sum(t["c_power[11][1]"]) * dt / put[-1]
+    deck.expect("the far field takes part", share > 0.1, f"{share:.3g}")
+    deck.expect("the balance of energy closes", errors[1] < min(0.3 * errors[0], 1e-3), f"{errors}")
+    for n, name in enumerate(("xx", "yy", "zz", "xy", "xz", "yz")):
+        deck.expect_close(f"row 8 is the stress of the fix: {name}", t[f"c_stress[8][{n + 1}]"], t[name], atol=1e-12)
+
+
 def held():
     """Solutions every .01 of strain against those of every step."""
     t = {words: read(steps=400, hydro=words) for words in ("grid every 1 tol 1e-3", "grid", "grid strain 0.0025")}
@@ -100,5 +121,6 @@ if __name__ == "__main__":
         settling()
         relaxation()
         viscosity()
+        balance()
         held()
     deck.finish()
