@@ -15,6 +15,7 @@
 #include "compute_stress_partition_atom.h"
 #include "fix_deform_rheometer.h"
 #include "fix_drag_background.h"
+#include "fix_hydro.h"
 #include "fix_neigh_history_lubcontact.h"
 #include "fix_neigh_history_place.h"
 #include "fix_overdamped_sphere.h"
@@ -102,6 +103,7 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   with_args("fix", "NEIGH_HISTORY/LUBCONTACT/PLACE", &create_with_args<Fix, FixNeighHistoryPlace>);
   with_args("fix", "deform/rheometer", &create_with_args<Fix, FixDeformRheometer>);
   with_args("fix", "drag/background", &create_with_args<Fix, FixDragBackground>);
+  with_args("fix", "hydro", &create_with_args<Fix, FixHydro>);
   with_args("fix", "overdamped/sphere", &create_with_args<Fix, FixOverdampedSphere>);
   with_args("fix", "pore/pressure", &create_with_args<Fix, FixPorePressure>);
   with_args("fix", "rheometer/plates", &create_with_args<Fix, FixRheometerPlates>);

@@ -13,6 +13,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_background_fluid.h"
+#include "fix_hydro.h"
 #include "fix_pore_pressure.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
@@ -31,14 +32,14 @@
 using namespace LAMMPS_NS;
 
 using Lubcontact_NS::NUM_ORIGINS;
-static constexpr int DRAG = NUM_ORIGINS, KINETIC = DRAG + 1, PORE = KINETIC + 1,
-                     NUM_ROWS = PORE + 1;
+static constexpr int DRAG = NUM_ORIGINS, KINETIC = DRAG + 1, PORE = KINETIC + 1, FAR = PORE + 1,
+                     NUM_ROWS = FAR + 1;
 static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 
 /* ---------------------------------------------------------------------- */
 
 ComputePowerPartition::ComputePowerPartition(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), pore(nullptr), inertia(new SpinInertia())
+    Compute(lmp, narg, arg), pore(nullptr), hydro(nullptr), inertia(new SpinInertia())
 {
   if (narg > 3)
     error->all(FLERR, 3, "Unknown compute power/partition argument: {}; it takes none", arg[3]);
@@ -73,6 +74,7 @@ void ComputePowerPartition::init()
     if (auto *drag = dynamic_cast<FixBackgroundFluid *>(fix)) drags.push_back(drag);
   inertia->find(lmp);
   pore = FixPorePressure::find(lmp);
+  hydro = FixHydro::find(lmp);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -119,6 +121,7 @@ void ComputePowerPartition::compute_array()
     for (auto &fix : drags) array[DRAG][0] += fix->mean_power();
   array[PORE][0] =
       pore && pore->acts() && pairs.front()->tally().power_of_step() ? pore->mean_power() : 0.0;
+  array[FAR][0] = hydro && pairs.front()->tally().power_of_step() ? hydro->mean_power() : 0.0;
 }
 
 /* ----------------------------------------------------------------------
@@ -151,13 +154,14 @@ double ComputePowerPartition::compute_scalar()
 
   // r_a F_b of the pairs, over the components xx yy zz xy xz yz yx zx zy; and inertia
   struct Sums {
-    double pairs[NUM_COMPONENTS] = {};
+    double pairs[NUM_COMPONENTS] = {}, stresslets = 0.0;
     Lubcontact_NS::Inertia inertia;
   } mine, all;
   for (const auto &pair : pairs)
     for (const auto &part : pair->tally().stress())
       for (int n = 0; n < NUM_COMPONENTS; n++) mine.pairs[n] += part[n];
   mine.inertia = Suspension_NS::measure_inertia(lmp);
+  if (hydro) mine.stresslets = hydro->stresslet_power();
   MPI_Allreduce(mine.pairs, all.pairs, sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 
   const Lubcontact_NS::Fluctuation f = Lubcontact_NS::fluctuation(all.inertia);
@@ -170,6 +174,9 @@ double ComputePowerPartition::compute_scalar()
         l.xy * (r[6] + unit * f.xy) + l.xz * (r[7] + unit * f.xz) + l.yz * (r[8] + unit * f.yz));
   if (pore && pore->acts())
     scalar -= (l.xx + l.yy + l.zz) * pore->cell_pressure() * Suspension_NS::cell_volume(domain);
+  if (hydro)
+    scalar += all.stresslets +
+        0.5 * (-l.yz * hydro->torque(0) + l.xz * hydro->torque(1) - l.xy * hydro->torque(2));
   for (auto &fix : drags) {
     // the spin of the fluid is half the curl of L
     scalar += 0.5 *

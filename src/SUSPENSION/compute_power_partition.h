@@ -33,7 +33,8 @@ class ComputePowerPartition : public Compute {
   double memory_usage() override;
 
  protected:
-  class FixPorePressure *pore;                  // or null
+  class FixPorePressure *pore;    // or null
+  class FixHydro *hydro;
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
   std::vector<class FixBackgroundFluid *> drags;
   std::unique_ptr<class SpinInertia> inertia;

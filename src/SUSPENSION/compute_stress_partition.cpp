@@ -12,6 +12,7 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_hydro.h"
 #include "fix_pore_pressure.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
@@ -27,13 +28,14 @@
 using namespace LAMMPS_NS;
 
 using Lubcontact_NS::NUM_CHANNELS;
-static constexpr int PORE = Lubcontact_NS::NUM_STRESS_ROWS, NUM_ROWS = PORE + 1;
+static constexpr int PORE = Lubcontact_NS::NUM_STRESS_ROWS, STRESSLET = PORE + 1,
+                     NUM_ROWS = STRESSLET + 1;
 static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 
 /* ---------------------------------------------------------------------- */
 
 ComputeStressPartition::ComputeStressPartition(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), pore(nullptr)
+    Compute(lmp, narg, arg), pore(nullptr), hydro(nullptr)
 {
   if (narg > 3)
     error->all(FLERR, 3, "Unknown compute stress/partition argument: {}; it takes none", arg[3]);
@@ -64,6 +66,7 @@ void ComputeStressPartition::init()
   pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
   pore = FixPorePressure::find(lmp);
+  hydro = FixHydro::find(lmp);
 }
 
 /* ----------------------------------------------------------------------
@@ -91,6 +94,7 @@ void ComputeStressPartition::compute_array()
       for (int n = 0; n < NUM_COMPONENTS; n++)
         mine.row[Lubcontact_NS::stress_row(m)][n] += pair->tally().stress()[m][n];
   }
+  if (hydro) hydro->add_stresslets(mine.row[STRESSLET]);
   mine.inertia = Suspension_NS::measure_inertia(lmp);
   MPI_Allreduce(mine.row[0], all.row[0], sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
 

@@ -31,7 +31,8 @@ class ComputeStressPartition : public Compute {
   double memory_usage() override;
 
  protected:
-  class FixPorePressure *pore;                  // or null
+  class FixPorePressure *pore;    // or null
+  class FixHydro *hydro;
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
 };
 

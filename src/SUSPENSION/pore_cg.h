@@ -35,41 +35,54 @@ inline double scalar_product(const std::vector<double> &a, const std::vector<dou
 // Solves A p = rhs from the p given, until the residual is tolerance times the right side, or after
 // the most iterations.
 //   apply(p, y): y = A p;   precondition(r, z): z = P^-1 r, any multiple of it
-//   agree(residual): the same number on all ranks, so that all stop together
-template <class Apply, class Precondition, class Agree>
-Convergence conjugate_gradients(const Apply &apply, const Precondition &precondition,
-                                const Agree &agree, const std::vector<double> &rhs,
-                                double tolerance, int most, std::vector<double> &p)
+//   product(a, b): scalar product, the same number on all ranks, so that all stop together
+template <class Apply, class Precondition, class Product>
+Convergence solve_by_products(const Apply &apply, const Precondition &precondition,
+                              const Product &product, const std::vector<double> &rhs,
+                              double tolerance, int most, std::vector<double> &p)
 {
   const std::size_t size = rhs.size();
   std::vector<double> r(size), z, d, y;
-  apply(p, y);
-  for (std::size_t n = 0; n < size; n++) r[n] = rhs[n] - y[n];
-  const double whole = std::sqrt(scalar_product(rhs, rhs));
   Convergence found;
-  if (!(agree(whole) > 0.0)) {
+  const double whole = std::sqrt(product(rhs, rhs));
+  if (!(whole > 0.0)) {
     p.assign(size, 0.0);
     return found;
   }
+  apply(p, y);
+  for (std::size_t n = 0; n < size; n++) r[n] = rhs[n] - y[n];
   double rz = 0.0;
   for (;; found.iterations++) {
-    found.residual = agree(std::sqrt(scalar_product(r, r)) / whole);
+    found.residual = std::sqrt(product(r, r)) / whole;
     if (!(found.residual > tolerance) || found.iterations == most) return found;
     precondition(r, z);
-    const double next = scalar_product(r, z);
+    const double next = product(r, z);
     if (found.iterations == 0)
       d = z;
     else
       for (std::size_t n = 0; n < size; n++) d[n] = z[n] + next / rz * d[n];
     rz = next;
     apply(d, y);
-    const double step = rz / scalar_product(d, y);
-    if (!std::isfinite(agree(step))) return found;    // nothing is left that A or P see
+    const double step = rz / product(d, y);
+    if (!std::isfinite(step)) return found;    // nothing is left that A or P see
     for (std::size_t n = 0; n < size; n++) {
       p[n] += step * d[n];
       r[n] -= step * y[n];
     }
   }
+}
+
+// The same if every rank has all of p.
+//   agree(value): that of one rank on all of them
+template <class Apply, class Precondition, class Agree>
+Convergence conjugate_gradients(const Apply &apply, const Precondition &precondition,
+                                const Agree &agree, const std::vector<double> &rhs,
+                                double tolerance, int most, std::vector<double> &p)
+{
+  const auto product = [&](const std::vector<double> &a, const std::vector<double> &b) {
+    return agree(scalar_product(a, b));
+  };
+  return solve_by_products(apply, precondition, product, rhs, tolerance, most, p);
 }
 
 }    // namespace LAMMPS_NS::Pore_NS

@@ -1,0 +1,126 @@
+# ranks: 1 2 4
+"""fix hydro grid in runs: arrays that settle and shear, solutions that are held, ranks, restart, flip."""
+import numpy as np
+
+import deck
+
+OUTPUT = ("iterations", "residual", "xx", "yy", "zz", "xy", "xz", "yz", "heat", "fx", "fy", "fz", "solutions", "phi")
+GRID = {1: "1 1 1", 2: "1 2 1", 4: "2 2 1"}[deck.RANKS]
+SINGLE = deck.RANKS == 1    # on several ranks: what is summed over them
+EXACT = "tol 1e-8 spacing 0.5 support 6.5 reach 8"
+
+
+def read(what="in.cell", **variables):
+    t = deck.run(what, **variables).thermo()
+    t.update({name: t.pop(f"f_far[{n + 1}]") for n, name in enumerate(OUTPUT)})
+    return t
+
+
+def settling():
+    """Terminal velocity of a simple cubic array, also from solutions that are held for many steps."""
+    for phi, drag in ((0.001, 1.212205), (0.125, 4.18047), (0.343, 11.74646)):
+        for every in (1, 25):
+            t = read("in.array", phi=phi, push=6 * np.pi, hydro=f"grid every {every} {EXACT}", steps=800)
+            name = f"simple cubic array, phi {phi}, a solution every {every}"
+            deck.expect_close(f"{name}: velocity", t["v_v"][-1], 1 / drag, rtol=2e-5)
+            deck.expect_close(f"{name}: the fluid carries the force", t["fx"][-1], -6 * np.pi, rtol=2e-5)
+            deck.expect_close(f"{name}: heat", t["heat"][-1], 6 * np.pi / drag, rtol=4e-5)
+            deck.expect("never faster", np.max(t["v_v"]) < 1.3 / drag, f"{np.max(t['v_v']):.3g} of {1 / drag:.3g}")
+
+
+def relaxation():
+    """One sphere, solved in every step, decays as the exact solution of its drag."""
+    phi, drag, step, density = 0.027, 2.009051, 0.002, 0.2
+    t = read("in.array", phi=phi, v0=1.0, hydro=f"grid every 1 {EXACT} hold {drag} 2", step=step, density=density, steps=300)
+    rate = 6 * np.pi * drag / (4 / 3 * np.pi * density)
+    deck.expect_close("a sphere comes to rest", t["v_v"], np.exp(-rate * step * t["Step"]), atol=2e-5)
+
+
+def viscosity():
+    """Arrays of free spheres: FCM alone, by an independent program."""
+    for basis, number, phi, shear in (("sc 1", 1, 0.1, 1.241567), ("bcc 1", 2, 0.05, 1.134932), ("sc 1", 1, 0.3, 1.787527)):
+        t = read("in.array", basis=basis, phi=phi, shear=1.0, flow="fix flow all deform 1 xy erate 1.0 remap v",
+                 hydro=f"grid every 1 {EXACT}", step=1e-6, steps=1)
+        name = f"{basis[:-2]} array, phi {phi}"
+        deck.expect_close(f"{name}: viscosity", 1 + t["xy"][0], shear, atol=1e-5 * shear)
+        deck.expect_close(f"{name}: heat", t["heat"][0], (shear - 1) * number * 4 / 3 * np.pi / phi, rtol=1e-4)
+        deck.expect_close(f"{name}: volume fraction", t["phi"][0], phi, rtol=1e-12)
+
+
+def worst(a, b, but=()):
+    return max(np.max(np.abs(a[n] - b[n])) / max(np.max(np.abs(b[n])), 1e-300) for n in a if n not in but)
+
+
+def rounding():
+    """Ranks, newton and restart change nothing but digits at the end: those of the solution to its tolerance."""
+    names = ("xy", "yy", "heat", "PotEng", "KinEng")
+    t = read(steps=60)
+    others = [("newton off", {"newton": "off"})] + ([] if SINGLE else [("one rank", {"ranks": 1})])
+    for other, variables in others:
+        o = read(steps=60, **variables)
+        for name in names:
+            deck.expect_close(f"{other}: {name}", o[name], t[name], atol=1e-7 * np.max(np.abs(t[name])))
+        deck.expect(f"{other}: iterations", np.array_equal(o["iterations"], t["iterations"]))
+    whole, again = read(steps=70, grid=GRID, half="yes"), read("in.restarted", steps=70, grid=GRID)
+    a, b = deck.read_dump("restarted.dump"), deck.read_dump("whole.dump")
+    deck.expect("restart: particles", worst(a, b) < 1e-9, f"{worst(a, b):.1e}")
+    but = ("v_momentum",)
+    deck.expect("restart: output", worst(again, whole, but) < 1e-9, f"{worst(again, whole, but):.1e}")
+    deck.expect("restart: solutions at the same steps", np.array_equal(again["solutions"], whole["solutions"]))
+
+
+def flip():
+    """The cell that has flipped is the same: but for the error of its grid."""
+    found = {f: read(steps=200, tilt=0.46, flow=f"deform 1 xy erate 1.0 remap v flip {f}") for f in ("yes", "no")}
+    yes, no = found["yes"], found["no"]
+    deck.expect("only one flips", np.ptp(yes["Xy"]) > 1.5 * np.ptp(no["Xy"]))
+    for name in ("xy", "heat", "PotEng"):
+        deck.expect_close(f"flip: {name}", yes[name], no[name], rtol=2e-3)
+    deck.expect("flip: no solution because of it", np.array_equal(yes["solutions"], no["solutions"]))
+
+
+ROWS = [f"c_power[{m}][{n}]" for n in (1, 2) for m in range(1, 12)]
+
+
+def balance():
+    """What the shear puts in is stored, kinetic, or turned into heat: by films, contacts and far field."""
+    stress = "c_stress[8][1] c_stress[8][2] c_stress[8][3] c_stress[8][4] c_stress[8][5] c_stress[8][6]"
+    errors = []
+    for fraction in (1, 0.25):
+        dt = 5e-4 * fraction
+        t = read(step=dt, steps=int(240 / fraction), more=" ".join(["c_power", *ROWS, stress]))
+        put = np.concatenate(([0.0], np.cumsum(0.5 * (t["c_power"][1:] + t["c_power"][:-1])))) * dt
+        lost = np.concatenate(([0.0], np.cumsum(np.sum([t[name] for name in ROWS[:11]], axis=0)[1:]))) * dt
+        stored = np.sum([t[name] for name in ROWS[11:]], axis=0)
+        errors.append(np.max(np.abs(put - lost - stored + stored[0])) / np.max(np.abs(put)))
+        share = np.sum(t["c_power[11][1]"]) * dt / put[-1]
+    deck.expect("the far field takes part", share > 0.1, f"{share:.3g}")
+    deck.expect("the balance of energy closes", errors[1] < min(0.3 * errors[0], 1e-3), f"{errors}")
+    for n, name in enumerate(("xx", "yy", "zz", "xy", "xz", "yz")):
+        deck.expect_close(f"row 8 is the stress of the fix: {name}", t[f"c_stress[8][{n + 1}]"], t[name], atol=1e-12)
+
+
+def held():
+    """Solutions every .01 of strain against those of every step."""
+    t = {words: read(steps=400, hydro=words) for words in ("grid every 1 tol 1e-3", "grid", "grid strain 0.0025")}
+    exact = t["grid every 1 tol 1e-3"]
+    deck.expect("solutions every .01 of strain", np.array_equal(np.flatnonzero(np.diff(t["grid"]["solutions"])) + 1,
+                                                               np.arange(20, 401, 20)))
+    late = slice(200, None)
+    for name in ("xy", "PotEng"):
+        coarse, fine = (abs(np.mean(t[w][name][late]) / np.mean(exact[name][late]) - 1) for w in ("grid", "grid strain 0.0025"))
+        print(f"held: {name} {coarse:.4f} {fine:.4f}")
+        deck.expect(f"held: {name}", fine < 0.5 * coarse, f"{coarse:.4f} {fine:.4f}")
+
+
+if __name__ == "__main__":
+    deck.make_state()
+    rounding()
+    flip()
+    if SINGLE:
+        settling()
+        relaxation()
+        viscosity()
+        balance()
+        held()
+    deck.finish()

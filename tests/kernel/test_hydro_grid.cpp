@@ -1,0 +1,185 @@
+// Gaussians on the points of a deformed cell.
+
+#include "hydro_case.h"
+
+using namespace hydro_case;
+using testing_tools::expect_near;
+
+namespace {
+
+Lattice tilted_lattice()
+{
+  Lattice l;
+  l.cell = {{0.3, -1.0, 2.0}, 7.0, 6.0, 8.0, 2.5, -1.5, 2.0};
+  l.nx = 16;
+  l.ny = 14;
+  l.nz = 18;
+  l.width = 0.8;
+  l.reach = 8.0 * l.width;
+  return l;
+}
+
+Vec3 point(const Lattice &l, int i, int j, int k)
+{
+  const Cell &c = l.cell;
+  const double x = static_cast<double>(i) / l.nx, y = static_cast<double>(j) / l.ny,
+               z = static_cast<double>(k) / l.nz;
+  return c.origin + Vec3{x * c.xprd + y * c.xy + z * c.xz, y * c.yprd + z * c.yz, z * c.zprd};
+}
+
+template <class F> void for_each_point(const Brick &b, F &&f)
+{
+  for (int k = b.low[2]; k < b.low[2] + b.size[2]; k++)
+    for (int j = b.low[1]; j < b.low[1] + b.size[1]; j++)
+      for (int i = b.low[0]; i < b.low[0] + b.size[0]; i++) f(i, j, k);
+}
+
+Load some_load(Random &rnd)
+{
+  double n[NUMBERS];
+  for (double &value : n) value = rnd.uniform(-1.0, 1.0);
+  return get_load(n);
+}
+
+// each point once, with its own exponential
+TEST(HydroGrid, StencilIsTheGaussianAtAllPointsWithinReach)
+{
+  Random rnd(11);
+  for (int trial = 0; trial < 8; trial++) {
+    Lattice l = tilted_lattice();
+    if (trial % 2) l.cell.xz = l.cell.yz = 0.0;
+    const Vec3 center = rnd.vector(9.0), g = lattice_place(l, center);
+    const Brick b = brick_for(l, g, g);
+    std::vector<double> expected(b.points()), found(b.points());
+    for_each_point(b, [&](int i, int j, int k) {
+      const Vec3 y = point(l, i, j, k) - center;
+      if (norm(y) < l.reach)
+        expected[b.index(i, j, k)] = std::exp(-0.5 * dot(y, y) / (l.width * l.width)) /
+            std::pow(2.0 * PI_ * l.width * l.width, 1.5);
+    });
+    Stencil stencil(l);
+    stencil.for_each_row(center, [&](const Row &row) {
+      for (int n = 0; n < row.number; n++) {
+        const Vec3 y = point(l, row.i + n, row.j, row.k) - center;
+        EXPECT_NEAR(y.y, row.y, 1e-12);
+        EXPECT_NEAR(y.z, row.z, 1e-12);
+        for (int m = 0; m < 4; m++) {
+          EXPECT_NEAR(row.column[m][n], row.column[0][n] * std::pow(y.x, m), 1e-12);
+          EXPECT_EQ(row.column[m][n], row.row[n][m]);
+        }
+        found[b.index(row.i + n, row.j, row.k)] += row.factor * row.column[0][n];
+      }
+    });
+    for (std::size_t n = 0; n < found.size(); n++) EXPECT_NEAR(found[n], expected[n], 1e-14);
+  }
+}
+
+// the whole force, and the first moment: no more
+TEST(HydroGrid, SpreadHasForceAndFirstMoment)
+{
+  const Lattice l = tilted_lattice();
+  Random rnd(12);
+  for (const double radius : {0.3, 1.0, 1.3}) {
+    const Vec3 center = rnd.vector(4.0), g = lattice_place(l, center);
+    const Brick b = brick_for(l, g, g);
+    const Load load = some_load(rnd);
+    std::vector<double> f(3 * b.points());
+    Stencil stencil(l);
+    spread(stencil, l, b, center, make_body(radius, l.width), load, f.data());
+    Vec3 force;
+    Tensor moment;
+    for_each_point(b, [&](int i, int j, int k) {
+      const std::size_t n = b.index(i, j, k);
+      const Vec3 here = l.point_volume() * Vec3{f[n], f[n + b.points()], f[n + 2 * b.points()]};
+      force = force + here;
+      moment = moment + outer(here, point(l, i, j, k) - center);
+    });
+    expect_near(force, load.force, 1e-9);
+    expect_near(moment.x, load.dipole.x, 1e-9);
+    expect_near(moment.y, load.dipole.y, 1e-9);
+    expect_near(moment.z, load.dipole.z, 1e-9);
+  }
+}
+
+TEST(HydroGrid, LinearFlowsAreInterpolatedAsTheyAre)
+{
+  const Lattice l = tilted_lattice();
+  Random rnd(13);
+  for (const double radius : {0.3, 1.0, 1.3}) {
+    const Vec3 center = rnd.vector(4.0), g = lattice_place(l, center), u0 = rnd.vector(1.0);
+    const Tensor gradient{rnd.vector(1.0), rnd.vector(1.0), rnd.vector(1.0)};
+    const Brick b = brick_for(l, g, g);
+    std::vector<double> u(3 * b.points());
+    for_each_point(b, [&](int i, int j, int k) {
+      const Vec3 here = u0 + gradient * (point(l, i, j, k) - center);
+      const std::size_t n = b.index(i, j, k);
+      u[n] = here.x;
+      u[n + b.points()] = here.y;
+      u[n + 2 * b.points()] = here.z;
+    });
+    Stencil stencil(l);
+    const Motion m = interpolate(stencil, l, b, center, make_body(radius, l.width), u.data());
+    expect_near(m.velocity, u0, 1e-9);
+    expect_near(m.gradient.x, gradient.x, 1e-9);
+    expect_near(m.gradient.y, gradient.y, 1e-9);
+    expect_near(m.gradient.z, gradient.z, 1e-9);
+  }
+}
+
+TEST(HydroGrid, SpreadAndInterpolateAreAdjoint)
+{
+  const Lattice l = tilted_lattice();
+  Random rnd(14);
+  const Vec3 center = rnd.vector(3.0), g = lattice_place(l, center);
+  const Brick b = brick_for(l, g, g);
+  const Body body = make_body(0.7, l.width);
+  const Load load = some_load(rnd);
+  std::vector<double> f(3 * b.points()), u(3 * b.points());
+  for (double &value : u) value = rnd.uniform(-1.0, 1.0);
+  Stencil stencil(l);
+  spread(stencil, l, b, center, body, load, f.data());
+  const Motion m = interpolate(stencil, l, b, center, body, u.data());
+  double sum = 0.0;
+  for (std::size_t n = 0; n < f.size(); n++) sum += f[n] * u[n] * l.point_volume();
+  EXPECT_NEAR(dot(load.force, m.velocity) + contraction(load.dipole, m.gradient), sum, 1e-13);
+}
+
+TEST(HydroGrid, BrickHoldsWhatItsCentersReach)
+{
+  const Lattice l = tilted_lattice();
+  Random rnd(15);
+  const Vec3 low{-3.0, 2.0, 5.0}, high{4.0, 6.0, 9.0};
+  const Brick b = brick_for(l, low, high);
+  Stencil stencil(l);
+  for (int trial = 0; trial < 30; trial++) {
+    const double x = rnd.uniform(low.x, high.x) / l.nx, y = rnd.uniform(low.y, high.y) / l.ny,
+                 z = rnd.uniform(low.z, high.z) / l.nz;
+    const Cell &c = l.cell;
+    const Vec3 center =
+        c.origin + Vec3{x * c.xprd + y * c.xy + z * c.xz, y * c.yprd + z * c.yz, z * c.zprd};
+    stencil.for_each_row(center, [&](const Row &row) {
+      EXPECT_GE(row.i, b.low[0]);
+      EXPECT_LE(row.i + row.number, b.low[0] + b.size[0]);
+      EXPECT_GE(row.j, b.low[1]);
+      EXPECT_LT(row.j, b.low[1] + b.size[1]);
+      EXPECT_GE(row.k, b.low[2]);
+      EXPECT_LT(row.k, b.low[2] + b.size[2]);
+    });
+  }
+}
+
+TEST(HydroGrid, NumbersOfPointsHaveSmallFactors)
+{
+  EXPECT_EQ(good_number(9.7), 10);
+  EXPECT_EQ(good_number(12.0), 12);
+  EXPECT_EQ(good_number(21.5), 24);
+  EXPECT_EQ(good_number(24.8), 25);
+  EXPECT_EQ(good_number(0.1), 2);
+  EXPECT_EQ(span(0.5, 2.0).first, -1);    // whole numbers between two
+  EXPECT_EQ(span(0.5, 2.0).last, 2);
+  EXPECT_EQ(span(-2.5, 1.5).first, -4);
+  EXPECT_EQ(span(-2.5, 1.4).last, -2);
+  EXPECT_EQ(span(-2.5, 1.5).last, -1);
+}
+
+}    // namespace
