@@ -325,7 +325,7 @@ void FixPorePressure::check_order() const
           "carry, too",
           fix->id);
     else if (later && !is_plates && (modify->get_fix_mask(fix) & FixConst::POST_FORCE) &&
-             !utils::strmatch(fix->style, "^(ave|print|store|enforce2d|deform)"))
+             strcmp(fix->style, "enforce2d") != 0 && strcmp(fix->style, "store/force") != 0)
       error->all(FLERR,
                  "Fix {} {} may add forces after fix pore/pressure, which needs all other forces: "
                  "move it before fix pore/pressure",
