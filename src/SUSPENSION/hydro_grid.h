@@ -202,7 +202,9 @@ inline void spread(Stencil &stencil, const Lattice &lattice, const Brick &brick,
       const double c0 = c.y * row.y + c.z * row.z;
       const double a0 = force * w.force + c0 * w.dipole, a1 = c.x * w.dipole;
       const double a2 = force * w.force_xx + c0 * w.dipole_xx, a3 = c.x * w.dipole_xx;
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC ivdep
+#endif
       for (int n = 0; n < row.number; n++)
         f[n] += (a0 * p0[n] + a1 * p1[n]) + (a2 * p2[n] + a3 * p3[n]);
     };
