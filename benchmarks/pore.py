@@ -22,9 +22,11 @@ FIELDS = ["particles", "spacing", "step", "modify", "over_without"]
 def measure(state, particles, spacing):
     """CPU time of a particle-step, all of it and that of the fixes, in ns."""
     copies, steps = SIZES[particles]
+    solver = f"cell spacing {spacing}"
     if spacing == "network":
-        steps = NETWORK[particles]
-    text = run.lammps(1, "-in", "in.lists", "-var", "state", state, "-var", "copies", copies, "-var", "pores", spacing,
+        solver, steps = "solver network", NETWORK[particles]
+    words = [] if spacing == "0" else ["-var", "pores", 1, "-var", "solver", solver]
+    text = run.lammps(1, "-in", "in.lists", "-var", "state", state, "-var", "copies", copies, *words,
                       "-var", "steps", steps, "-var", "warm", 20)
     sections = run.read_sections(text.split("measured from here")[-1], 1)
     return {"particles": particles, "spacing": spacing, "step": sum(sections[name] for name in run.SECTIONS) / particles,
