@@ -164,10 +164,15 @@ void PoreField::make_stencils(int groupbits, const Fluid &fluid, const Plates &p
    of a pressure on the upper plate, if that can move
 ------------------------------------------------------------------------- */
 
+static bool is_moved(const PoreField::Plates &plates)
+{
+  return plates.response.x != 0.0 || plates.response.y != 0.0;
+}
+
 Vec3 PoreField::force_on_plate(const Field &of_pressure, const std::vector<Lanes> &gradient,
                                const Plates &plates) const
 {
-  if (plates.response.x == 0.0 && plates.response.y == 0.0) return {};
+  if (!is_moved(plates)) return {};
   Vec3 mine, all;
   for (std::size_t n = 0; n < particles.size(); n++)
     if (atom->mask[particles[n].i] & plates.upper_bit)
@@ -215,17 +220,15 @@ static bool is_same_outside(const PoreField::Fluid &a, const PoreField::Fluid &b
 
 void PoreField::predict_motion(double dt, const Fluid &fluid, const Plates &plates)
 {
-  std::vector<Lanes> gradient;
   Vec3 upper = plates.velocity;
-  if (dt > 0.0) {
-    gradient = gradients(lattice, p, fluid.gradient);
-    const Vec3 push = force_on_plate(p, gradient, plates);
-    upper = upper + dt * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
-  }
   // weights and pressures of the last step have made the same forces
   const bool known = !fresh && age > 0 && is_same_outside(fluid, seen.outside);
-  if (dt > 0.0 && !known)
-    Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, of_pores);
+  if (dt > 0.0 && (!known || is_moved(plates))) {
+    const std::vector<Lanes> gradient = gradients(lattice, p, fluid.gradient);
+    const Vec3 push = force_on_plate(p, gradient, plates);
+    upper = upper + dt * Vec3{plates.response.x * push.x, plates.response.y * push.y, 0.0};
+    if (!known) Pore_NS::pore_forces(stencils, lattice.element_volume(), gradient, of_pores);
+  }
   const Suspension_NS::CellFlow cell(domain);
   auto velocity = [&](const Particle &one, std::size_t n) {
     using Lubcontact_NS::get_vector;
