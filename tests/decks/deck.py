@@ -131,6 +131,24 @@ def expect_close(what, got, expected, rtol=0.0, atol=0.0):
     expect(what, good, shown)
 
 
+def expect_same_bits(what, got, expected):
+    """Of two dumps or tables, all columns of the first one."""
+    wrong = [f"{name} {np.max(np.abs(got[name] - expected[name])):.1e}" for name in got if not np.array_equal(got[name], expected[name])]
+    expect(f"{what}: bit for bit", not wrong, " ".join(wrong))
+
+
+def power_balance(table, dt, power="c_power"):
+    """From the output of each step: defect of the balance of energy at its worst, and heat by rows, over the largest work."""
+    rows = [m for m in range(1, 20) if f"{power}[{m}][1]" in table]
+    heat, stored = (np.array([table[f"{power}[{m}][{n}]"] for m in rows]) for n in (1, 2))
+    put = table[power]
+    work = np.concatenate(([0.0], np.cumsum(0.5 * (put[1:] + put[:-1])))) * dt
+    lost = np.concatenate(([0.0], np.cumsum(np.sum(heat[:, 1:], axis=0)))) * dt
+    total = np.sum(stored, axis=0)
+    scale = np.max(np.abs(work))
+    return np.max(np.abs(work - lost - total + total[0])) / scale, np.sum(heat, axis=1) * dt / scale
+
+
 def expect_error(what, text, message, word=None):
     """LAMMPS stopped with this message, and underlined word if one is given."""
     lines = text.splitlines()

@@ -17,20 +17,11 @@ def read(what="in.cell", **variables):
     return t
 
 
-def same_bits(what, a, b):
-    wrong = [f"{name} {np.max(np.abs(a[name] - b[name])):.1e}" for name in a if not np.array_equal(a[name], b[name])]
-    deck.expect(f"{what}: bit for bit", not wrong, " ".join(wrong))
-
-
 def balance(fraction, **case):
     """Defect of the balance of energy and the share of the pores, over what was put in."""
     dt, t = 5e-4 * fraction, read(fraction=fraction, steps=int(400 / fraction), **case)
-    put = np.concatenate(([0.0], np.cumsum(0.5 * (t["c_power"][1:] + t["c_power"][:-1])))) * dt
-    heat, stored = (np.array([t[f"c_power[{m}][{n}]"] for m in range(1, 11)]) for n in (1, 2))
-    lost = np.concatenate(([0.0], np.cumsum(np.sum(heat[:, 1:], axis=0)))) * dt
-    total = np.sum(stored, axis=0)
-    scale = np.max(np.abs(put))
-    return np.max(np.abs(put - lost - total + total[0])) / scale, np.sum(heat[9]) * dt / scale, t
+    defect, heat = deck.power_balance(t, dt)
+    return defect, heat[9], t
 
 
 deck.make_state()
@@ -59,17 +50,17 @@ for what, case in FLOWS.items():
     steps = 100 if what == "shear" else 6
     whole = read(steps=steps, grid=GRID, half="yes", **case)
     again = read("in.restarted", steps=steps, grid=GRID, **case)
-    same_bits(f"{what}: restart", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
+    deck.expect_same_bits(f"{what}: restart", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
     steps = range(1, steps + 1)
-    same_bits(f"{what}: restart, output", {name: again[name][steps] for name in again},
+    deck.expect_same_bits(f"{what}: restart, output", {name: again[name][steps] for name in again},
               {name: whole[name][steps] for name in again})
 
 # off: the pressure is known, and nothing else
 for what, case in FLOWS.items() if SINGLE else list(FLOWS.items())[:1]:
     off, a = read(pore="pair cell coupling off", **case), deck.read_dump("cell.dump")
     none, b = read(**{"with": "no"}, **case), deck.read_dump("cell.dump")
-    same_bits(f"{what}: coupling off", {name: a[name] for name in b}, b)
-    same_bits(f"{what}: coupling off, output", {name: off[name] for name in none}, none)
+    deck.expect_same_bits(f"{what}: coupling off", {name: a[name] for name in b}, b)
+    deck.expect_same_bits(f"{what}: coupling off, output", {name: off[name] for name in none}, none)
     deck.expect(f"{what}: off, but it has a pressure", np.all(off["largest"] > 1) and np.all(off["power"] == 0))
 
 # energy: what the shear puts in is stored, kinetic, or turned into heat, that of the pores included

@@ -40,11 +40,6 @@ def relax(gap, time, load, resistance):
     return np.array(found)
 
 
-def same_bits(what, a, b):
-    wrong = [f"{name} {np.max(np.abs(a[name] - b[name])):.1e}" for name in a if not np.array_equal(a[name], b[name])]
-    deck.expect(f"{what}: bit for bit", not wrong, " ".join(wrong))
-
-
 # ---- a step of the load relaxes within eta H^2/(3 k E), a quarter of that if both plates drain
 K, ETA = 0.3, 300.0
 CONSTANT = f"permeability constant {K}"
@@ -99,13 +94,13 @@ for what, (pore, load, outlets, resistance) in CASES.items() if deck.RANKS == 1 
         deck.expect("  the fluid takes part", heat[-1] > 0.3 * done[-1], f"{heat[-1] / done[-1]:.3g}")
 if deck.RANKS == 1:
     same = ("gap", "vy", "p_low", "p_up", "mean", "heat", "power")
-    same_bits("the closed side does not matter to the plates", {n: seen["drains above"][n] for n in same}, {n: seen["drains below"][n] for n in same})
+    deck.expect_same_bits("the closed side does not matter to the plates", {n: seen["drains above"][n] for n in same}, {n: seen["drains below"][n] for n in same})
 
 # nothing moves, nothing flows; a fluid that is not felt changes nothing
 t = read(pore=f"lower impermeable upper impermeable {CONSTANT}", load="gap", step="", time=5)
 deck.expect("closed: no pressure at a given gap", np.all(t["mean"] == 0) and np.all(t["heat"] == 0))
 dry, off = read(time=5, **{"with": "no"}), read(time=5, pore=f"{BELOW} {CONSTANT} coupling off")
-same_bits("coupling off", {n: off[n] for n in dry}, dry)
+deck.expect_same_bits("coupling off", {n: off[n] for n in dry}, dry)
 deck.expect("coupling off: but it has a pressure", np.all(np.abs(off["mean"][1:]) > 1))
 slow = read(time=5)
 deck.expect("it is felt", np.all(np.abs(slow["vy"][1:]) < 0.05 * np.max(np.abs(dry["vy"]))))
@@ -125,7 +120,7 @@ for load in ("load", "pressure"):
     case = {"load": load, "time": 10, "outputs": 20, "grid": GRID, "pore": f"{BELOW} factor 2"}
     whole = read(half="yes", tables=True, **case)[-1]
     again = read(restarted="yes", **case)
-    same_bits(f"{load}: restart", {n: again[n][1:] for n in again}, {n: whole[n][1:] for n in again})
+    deck.expect_same_bits(f"{load}: restart", {n: again[n][1:] for n in again}, {n: whole[n][1:] for n in again})
     one = read(ranks=1, **{**case, "grid": "* * *"})
     here = read(**case)
     for name in ("gap", "vy", "p_up", "mean", "power", "c_share"):
@@ -153,10 +148,10 @@ deck.expect_close("cell: one layer, y", layer["f_pore[1][1]"], layer["Ly"] / 2, 
 deck.expect("  p", np.array_equal(layer["f_pore[1][2]"], layer["f_pore[3]"]))
 deck.expect_close("  phi", layer["f_pore[1][3]"], layer["f_flow[3]"], rtol=1e-12)
 again = read("../pore_cell/in.restarted", flow=HELD, pore="pair cell mean layer 4 solver mean", more=MORE, grid=CELL_GRID, steps=100)
-same_bits("cell: restart", {n: again[n][1:] for n in again}, {n: whole[n][1:] for n in again})
+deck.expect_same_bits("cell: restart", {n: again[n][1:] for n in again}, {n: whole[n][1:] for n in again})
 closed = read(CELL, flow=HELD, pore="pair cell storage 0.005 mean undrained solver mean", more=MORE, steps=50)
 none = read(CELL, flow=HELD, more="f_flow[3] f_flow[4] f_flow[8]", steps=50, **{"with": "no"})
-same_bits("undrained: the particles feel nothing", motion(closed), motion(none))
+deck.expect_same_bits("undrained: the particles feel nothing", motion(closed), motion(none))
 deck.expect_close("undrained: dp = -dlnV/S", closed["f_pore[3]"], -np.log(closed["Volume"] / closed["Volume"][0]) / 0.005, atol=1e-11)
 
 STRESS = [f"c_stress[{m}][{n}]" for m in range(1, 8) for n in (2, 7) if (m, n) not in ((2, 2), (7, 2))]    # yy, yx
@@ -166,11 +161,8 @@ STRESS = [f"c_stress[{m}][{n}]" for m in range(1, 8) for n in (2, 7) if (m, n) n
 def balance(fraction, pore, what="", **case):
     t = read(CELL, flow=HELD.replace("rheometer", "rheometer every 1"), pore=pore, more=" ".join(["f_flow[3] f_flow[4] f_flow[8]"] + STRESS), fraction=fraction, steps=int(200 / fraction), **case)
     dt = 5e-4 * fraction
-    put = np.concatenate(([0.0], np.cumsum(0.5 * (t["c_power"][1:] + t["c_power"][:-1])))) * dt
-    heat, stored = (np.array([t[f"c_power[{m}][{n}]"] for m in range(1, 11)]) for n in (1, 2))
-    lost = np.concatenate(([0.0], np.cumsum(np.sum(heat[:, 1:], axis=0)))) * dt
-    total = np.sum(stored, axis=0)
-    return np.max(np.abs(put - lost - total + total[0])) / np.max(np.abs(put)), np.sum(heat[9]) * dt / np.max(np.abs(put)), t
+    defect, heat = deck.power_balance(t, dt)
+    return defect, heat[9], t
 
 
 LAYERS = {"layer": "pair cell mean layer 4 solver mean", "layer and grid": "pair cell mean layer 4", "undrained": "pair cell storage 0.005 mean undrained solver mean"}

@@ -19,11 +19,6 @@ def beetstra(phi, radius=1.0):
     return 2 * radius ** 2 / (9 * phi * drag)
 
 
-def same_bits(what, a, b):
-    wrong = [f"{name} {np.max(np.abs(a[name] - b[name])):.1e}" for name in a if not np.array_equal(a[name], b[name])]
-    deck.expect(f"{what}: bit for bit", not wrong, " ".join(wrong))
-
-
 # ---- a lattice of springs under a step of the pressure: (C + L) dlnV/dt = p - P with its own p(V)
 def of_springs(flow, log_volume):
     """Pressure of the face-centered lattice, of which a shear changes y alone, and an extension all edges."""
@@ -112,16 +107,16 @@ def motion(t):
     return {name: t[name] for name in ("PotEng", "KinEng", "Volume", "f_flow[4]", "f_flow[8]")}
 
 
-same_bits("undrained: the cell moves as if drained", motion(closed),
+deck.expect_same_bits("undrained: the cell moves as if drained", motion(closed),
           motion(deck.run(CELL, flow=HELD, pore=CLOSED.replace("undrained", "drained"), more=MORE, steps=steps).thermo()))
 words = "pair cell mean drained"
-same_bits("drained is the default", deck.run(CELL, flow=HELD, pore=words, more=MORE, steps=steps).thermo(), drained)
+deck.expect_same_bits("drained is the default", deck.run(CELL, flow=HELD, pore=words, more=MORE, steps=steps).thermo(), drained)
 volume = HELD.replace("pressure 20", "volume")
-same_bits("constant volume: no mean pressure", motion(deck.run(CELL, flow=volume, pore=LAYER, more=MORE, steps=50).thermo()),
+deck.expect_same_bits("constant volume: no mean pressure", motion(deck.run(CELL, flow=volume, pore=LAYER, more=MORE, steps=50).thermo()),
           motion(deck.run(CELL, flow=volume, more=MORE, steps=50).thermo()))
 off = {words: deck.run(CELL, flow=HELD, pore=f"pair cell coupling off mean {words}", more=MORE, steps=50).thermo()
        for words in ("drained", "layer 4")}
-same_bits("coupling off: not felt", motion(off["layer 4"]), motion(off["drained"]))
+deck.expect_same_bits("coupling off: not felt", motion(off["layer 4"]), motion(off["drained"]))
 deck.expect("coupling off: but it has a pressure", np.ptp(off["layer 4"]["f_pore[3]"]) > 1 and np.all(off["layer 4"]["c_stress[7][1]"] == 0))
 
 # high layers, whose fluid carries at once what the particles do not: the cell keeps its volume, and nothing rings
@@ -140,7 +135,8 @@ for what, pore in {"layer": LAYER, "undrained": CLOSED}.items():
         case = {"flow": HELD, "pore": pore, "more": MORE, "grid": GRID, "steps": half}
         whole = deck.run(CELL, half="yes", **case).thermo()
         again = deck.run("../pore_cell/in.restarted", **case).thermo()
-        same_bits(f"{what}: restart after {half} steps", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
-        same_bits(f"{what}: restart after {half} steps, output", {name: again[name][1:] for name in again}, {name: whole[name][1:] for name in again})
+        deck.expect_same_bits(f"{what}: restart after {half} steps", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
+        deck.expect_same_bits(f"{what}: restart after {half} steps, output", {name: again[name][1:] for name in again},
+                               {name: whole[name][1:] for name in again})
         deck.expect_close(f"{what}: and its first pressure", again["f_pore[3]"][0], whole["f_pore[3]"][0])
 deck.finish()

@@ -18,11 +18,6 @@ def read(what="../pore_cell/in.cell", **variables):
     return t
 
 
-def same_bits(what, a, b):
-    wrong = [f"{name} {np.max(np.abs(a[name] - b[name])):.1e}" for name in a if not np.array_equal(a[name], b[name])]
-    deck.expect(f"{what}: bit for bit", not wrong, " ".join(wrong))
-
-
 # ---- permeability: drag of a sphere over 6 pi eta a U, from the heat and from the flux
 
 ETA, SLOPE = 2.0, 5.0
@@ -93,28 +88,24 @@ for what, case in FLOWS.items():
         steps = 100
         whole = read(steps=steps, grid=GRID, half="yes", **case, pore=NETWORK + words)
         again = read("../pore_cell/in.restarted", steps=steps, grid=GRID, **case, pore=NETWORK + words)
-        same_bits(f"{what}{words}: restart", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
+        deck.expect_same_bits(f"{what}{words}: restart", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
         steps = range(1, steps + 1)
-        same_bits(f"{what}{words}: restart, output", {name: again[name][steps] for name in again},
+        deck.expect_same_bits(f"{what}{words}: restart, output", {name: again[name][steps] for name in again},
                   {name: whole[name][steps] for name in again})
 
 # off: the pressure is known, and nothing else
 for what, case in FLOWS.items() if SINGLE else ():
     off, a = read(pore=NETWORK + " coupling off", **case), deck.read_dump("cell.dump")
     none, b = read(**{"with": "no"}, **case), deck.read_dump("cell.dump")
-    same_bits(f"{what}: coupling off", {name: a[name] for name in b}, b)
+    deck.expect_same_bits(f"{what}: coupling off", {name: a[name] for name in b}, b)
     deck.expect(f"{what}: off, but it has a pressure", np.all(off["largest"] > 1) and np.all(off["power"] == 0))
 
 
 def balance(fraction, **case):
     """Defect of the balance of energy and the share of the pores, over what was put in."""
     dt, t = 5e-4 * fraction, read(fraction=fraction, steps=int(200 / fraction), **case)
-    put = np.concatenate(([0.0], np.cumsum(0.5 * (t["c_power"][1:] + t["c_power"][:-1])))) * dt
-    heat, stored = (np.array([t[f"c_power[{m}][{n}]"] for m in range(1, 11)]) for n in (1, 2))
-    lost = np.concatenate(([0.0], np.cumsum(np.sum(heat[:, 1:], axis=0)))) * dt
-    total = np.sum(stored, axis=0)
-    scale = np.max(np.abs(put))
-    return np.max(np.abs(put - lost - total + total[0])) / scale, np.sum(heat[9]) * dt / scale, t
+    defect, heat = deck.power_balance(t, dt)
+    return defect, heat[9], t
 
 
 for what, case in FLOWS.items() if SINGLE else ():
@@ -189,5 +180,5 @@ for walls, motion in (("open", "rate 1 pressure 5"), ("below closed", "stress 10
         deck.expect_close(f"{walls}, other ranks: {name}", one[name], t[name], atol=1e-10 * np.max(np.abs(t[name])))
     whole = sheared(walls, motion, steps=60, half="yes", grid=GRID)
     again = sheared(walls, motion, "in.restarted", grid=GRID)
-    same_bits(f"{walls}: restart", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
+    deck.expect_same_bits(f"{walls}: restart", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
 deck.finish()

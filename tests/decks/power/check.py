@@ -10,15 +10,9 @@ ORIGINS = ("contact/normal", "contact/tangential", "squeeze", "shear", "roll", "
 def balance(dt, **case):
     """Defect of the balance at its worst over what was put in, and heat by origin over it."""
     t = deck.run("in.power", **case).thermo()
-    put = t["c_p"]
-    heat, stored = (np.array([t[f"c_p[{m}][{column}]"] for m in range(1, 10)]).T for column in (1, 2))
-    work = np.concatenate(([0.0], np.cumsum(0.5 * (put[1:] + put[:-1])))) * dt
-    lost = np.concatenate(([0.0], np.cumsum(np.sum(heat[1:], axis=1)))) * dt
-    total = np.sum(stored, axis=1)
-    defect = work - lost - (total - total[0])
-    scale = np.max(np.abs(work))
-    print(f"{case}: put in {work[-1]:.6g}, heat {lost[-1]:.6g}, stored {total[-1] - total[0]:.6g}")
-    return np.max(np.abs(defect)) / scale, np.sum(heat, axis=0) * dt / scale, heat
+    defect, share = deck.power_balance(t, dt, "c_p")
+    print(f"{case}: defect {defect:.3g}, heat " + " ".join(f"{value:.3g}" for value in share))
+    return defect, share[:9], np.array([t[f"c_p[{m}][1]"] for m in range(1, 10)]).T
 
 
 ALL = {"contact": "friction clm shift 0.5 0.5 adhesion 0.005 repulsion 2 0.02"}
