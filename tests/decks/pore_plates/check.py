@@ -51,6 +51,11 @@ for case, of_p, of_u in CASES if deck.RANKS == 1 else CASES[3:4]:
     deck.expect_close(f"{case}: stress of fluid and spheres, but for half a sphere at each plate",
                       ((t["c_stress[1][2]"] + t["c_stress[7][2]"]) * on_gap)[late], -1, atol=0.06)
 
+# ---- a plate on which one solution a step lags says so
+for mass, solver in ((2, "grid"), (2, "cg"), (2000, "grid")) if deck.RANKS == 1 else ():
+    text = deck.run("in.column", pore=MIRROR, motion=f"load 1 mass {mass}", solver=f"solver {solver}", share=0.4, until=0.001, outputs=1).text
+    deck.expect(f"mass {mass}, solver {solver}: the warning of a light plate", ("so light that solver grid" in text) == (mass == 2 and solver == "grid"))
+
 # ---- spheres that part at a given rate suck: p = -(eta e/2k) (H^2 - y^2) between a closed and an open plate
 RATE = 1e-3
 t = read("in.column", dilation=RATE, solver="coupling off", until=0, outputs=1)
