@@ -14,15 +14,14 @@
 #include "domain.h"
 #include "error.h"
 #include "exclusive_particles.h"
+#include "fix_hydro_held.h"
 #include "fix_hydro_settings.h"
 #include "fluid_drag.h"
-#include "fluid_flow.h"
 #include "force.h"
 #include "hydro_hold.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
-#include "pore_cg.h"
 #include "restart_seal.h"
 #include "spin_inertia.h"
 #include "suspension_host.h"
@@ -33,15 +32,15 @@
 #include <vector>
 
 using namespace LAMMPS_NS;
+using Hydro_NS::flow_at;
+using Hydro_NS::LOAD;
+using Hydro_NS::MOTION;
+using Hydro_NS::NUM_HELD;
 using Hydro_NS::NUMBERS;
 using Hydro_NS::Vec3;
 using Lubcontact_NS::get_vector;
 
-static constexpr int MOST_ITERATIONS = 500;
 static constexpr double FIRST = 0.1;    // tolerance of the first solution, over that of the others
-
-// of a particle
-static constexpr int LOAD = 0, BEFORE = NUMBERS, MOTION = 2 * NUMBERS, NUM_HELD = MOTION + 6;
 
 /* ---------------------------------------------------------------------- */
 
@@ -154,13 +153,6 @@ void FixHydro::find_strain(double *five) const
                        five);
 }
 
-static Fluid_NS::Flow flow_at(const Domain *domain, bool deforms, const double *x)
-{
-  if (!deforms) return {};
-  return Fluid_NS::cell_flow(domain->h_rate, domain->h_inv, get_vector(x),
-                             get_vector(domain->boxlo), get_vector(domain->h_ratelo));
-}
-
 /* ---------------------------------------------------------------------- */
 
 double FixHydro::viscosity_now()
@@ -174,93 +166,6 @@ double FixHydro::viscosity_now()
     error->all(FLERR, "Fix hydro viscosity must be > 0, but is {} at step {}", eta ? *eta : 0.0,
                update->ntimestep);
   return *eta;
-}
-
-/* ----------------------------------------------------------------------
-   M (F, T, S) = (v', w', -E). Lengths in widths, so that all numbers have the same unit
-------------------------------------------------------------------------- */
-
-void FixHydro::solve(double tolerance, double viscosity)
-{
-  state.viscosity = viscosity;
-  neighbor->build_one(list);
-  field->prepare(settings->field, groupbit, state.radius, viscosity, list);
-
-  const int nlocal = atom->nlocal;
-  const std::size_t size = static_cast<std::size_t>(nlocal) * NUMBERS;
-  const double length = field->length();
-  double e[5], volume = 0.0;
-  find_strain(e);
-  std::vector<double> right(size, 0.0), x(size, 0.0), scaled(size);
-  for (int i = 0; i < nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    own->check(atom->mask[i]);
-    volume += Suspension_NS::particle_volume(domain, atom->radius[i]);
-    const Fluid_NS::Flow flow = flow_at(domain, deforms, atom->x[i]);
-    double *h = held[i], *b = &right[i * NUMBERS];
-    Lubcontact_NS::put_vector(get_vector(atom->v[i]) - flow.velocity, h + MOTION);
-    Lubcontact_NS::put_vector(get_vector(atom->omega[i]) - flow.spin, h + MOTION + 3);
-    for (int n = 0; n < 3; n++) b[n] = h[MOTION + n];
-    for (int n = 3; n < 6; n++) b[n] = length * h[MOTION + n];
-    for (int n = 6; n < NUMBERS; n++) b[n] = -length * e[n - 6];
-    // from the last two solutions
-    const double again = state.solutions > 0.0 ? 1.0 : 0.0,
-                 slope = state.solutions > 1.0 ? 1.0 : 0.0;
-    for (int n = 0; n < NUMBERS; n++)
-      x[i * NUMBERS + n] =
-          (again * h[LOAD + n] + slope * (h[LOAD + n] - h[BEFORE + n])) / (n < 3 ? 1.0 : length);
-  }
-  const auto scale = [&](const std::vector<double> &from, std::vector<double> &to) {
-    to.resize(size);
-    for (std::size_t n = 0; n < size; n++) to[n] = from[n] * (n % NUMBERS < 3 ? 1.0 : length);
-  };
-  const auto apply = [&](const std::vector<double> &loads, std::vector<double> &motions) {
-    motions.resize(size);
-    scale(loads, scaled);
-    field->apply(scaled.data(), motions.data());
-    scale(motions, motions);
-  };
-  const auto precondition = [&](const std::vector<double> &r, std::vector<double> &z) {
-    z.assign(size, 0.0);
-    for (int i = 0; i < nlocal; i++) {
-      if (!(atom->mask[i] & groupbit)) continue;
-      const Hydro_NS::Self &self = field->self(i);
-      for (int n = 0; n < NUMBERS; n++) {
-        const double turn = n < 6 ? self.rotation : self.strain;
-        z[i * NUMBERS + n] =
-            r[i * NUMBERS + n] / (n < 3 ? self.translation : turn * length * length);
-      }
-    }
-  };
-  const auto product = [this](const std::vector<double> &a, const std::vector<double> &b) {
-    const double mine = Pore_NS::scalar_product(a, b);
-    double all;
-    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-    return all;
-  };
-  const auto found = Pore_NS::solve_by_products(apply, precondition, product, right, tolerance,
-                                                MOST_ITERATIONS, x);
-  state.iterations = found.iterations;
-  state.residual = found.residual;
-  if (!(found.residual <= tolerance) && comm->me == 0)
-    error->warning(FLERR, "Fix hydro: residual {:.3g} after {} iterations at step {}",
-                   found.residual, found.iterations, update->ntimestep);
-
-  scale(x, x);
-  for (int i = 0; i < nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    std::copy_n(held[i] + LOAD, NUMBERS, held[i] + BEFORE);
-    std::copy_n(&x[i * NUMBERS], NUMBERS, held[i] + LOAD);
-  }
-  double all;
-  MPI_Allreduce(&volume, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  state.phi = all / Suspension_NS::cell_volume(domain);
-  const Hydro_NS::Hold automatic = Hydro_NS::default_hold(state.phi);
-  state.translation = settings->hold[0] > 0.0 ? settings->hold[0] : automatic.translation;
-  state.rotation = settings->hold[1] > 0.0 ? settings->hold[1] : automatic.rotation;
-  state.solutions += 1.0;
-  state.step = static_cast<double>(update->ntimestep);
-  state.strain = 0.0;
 }
 
 /* ----------------------------------------------------------------------

@@ -15,14 +15,14 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_hydro_field.h"
+#include "fix_hydro_held.h"
 #include "memory.h"
 #include "restart_seal.h"
 
 #include <algorithm>
 
 using namespace LAMMPS_NS;
-
-static constexpr int NUM_HELD = 2 * Hydro_NS::NUMBERS + 6;    // as in fix_hydro.cpp
+using Hydro_NS::NUM_HELD;
 
 /* ---------------------------------------------------------------------- */
 
