@@ -23,8 +23,8 @@
 
 namespace LAMMPS_NS {
 
-// The fluid of fix drag/background, fix overdamped/sphere and fix hydro: its viscosity, its flow, and
-// how it drags a particle.
+// The fluid of fix drag/background, fix overdamped/sphere and fix hydro: its viscosity, its flow,
+// and how it drags a particle.
 class BackgroundFluid : protected Pointers {
  public:
   BackgroundFluid(LAMMPS *, class Fix *, int narg, char **arg);    // arguments from arg[3] on

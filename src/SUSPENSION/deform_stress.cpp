@@ -93,9 +93,9 @@ void DeformStress::take_particles(const Particles &now)
 }
 
 /* ----------------------------------------------------------------------
-   of the particles: pair forces, stresslets, and inertia relative to the flow g. The compute only asks for the
-   virial in time; reducing it here together with the rest saves one reduction. Particles may come,
-   go and grow, so they are measured, too
+   of the particles: pair forces, stresslets, and inertia relative to the flow g. The compute only
+   asks for the virial in time; reducing it here together with the rest saves one reduction.
+   Particles may come, go and grow, so they are measured, too
 ------------------------------------------------------------------------- */
 
 void DeformStress::measure(Rheometer_NS::Flow flow, const Rheometer_NS::Gradient &g)

@@ -11,25 +11,62 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "fix_hydro_level.h"
+#include "error.h"
+#include "fix_hydro_grid.h"
+#include "fix_hydro_mean.h"
 #include "force.h"
 #include "hydro_tensors.h"
 #include "memory.h"
 #include "modify.h"
 #include "spin_inertia.h"
 #include "suspension_host.h"
+#include "suspension_input.h"
 #include "update.h"
 
 #include <algorithm>
+#include <string>
 
 using namespace LAMMPS_NS;
 using Hydro_NS::Vec3;
 using Lubcontact_NS::get_vector;
 
+namespace {
+
+template <class L> std::unique_ptr<HydroLevel> make(LAMMPS *lmp, Fix *fix, int narg, char **arg)
+{
+  return std::make_unique<L>(lmp, fix, narg, arg);
+}
+
+struct Row {
+  const char *name;
+  std::unique_ptr<HydroLevel> (*make)(LAMMPS *, Fix *, int narg, char **arg);
+};
+
+constexpr Row LEVELS[] = {{"mean", make<HydroMean>}, {"grid", make<HydroGrid>}};
+
+}    // namespace
+
+/* ----------------------------------------------------------------------
+   fix ID group hydro level keyword value ...
+------------------------------------------------------------------------- */
+
+static std::unique_ptr<HydroLevel> make_level(LAMMPS *lmp, Fix *fix, int narg, char **arg)
+{
+  std::string names;
+  Suspension_NS::require_words(FLERR, lmp->error, "fix hydro", narg + 1,
+                               "fix ID group hydro level ...");
+  for (const Row &row : LEVELS) {
+    if (row.name == std::string(arg[3])) return row.make(lmp, fix, narg, arg);
+    names += (names.empty() ? "" : " or ") + std::string(row.name);
+  }
+  lmp->error->all(FLERR, 3, "Fix hydro level must be {}, but is {}", names, arg[3]);
+  return nullptr;
+}
+
 /* ---------------------------------------------------------------------- */
 
 FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), level(HydroLevel::make(lmp, this, narg, arg)), inertia(new SpinInertia()),
+    Fix(lmp, narg, arg), level(make_level(lmp, this, narg, arg)), inertia(new SpinInertia()),
     force_of_atom(nullptr), work(0.0), total{}, dragged(0.0), step_power(0.0)
 {
   vector_flag = 1;

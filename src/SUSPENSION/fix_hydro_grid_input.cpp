@@ -106,8 +106,8 @@ int HydroGrid::parse_keyword(int iarg, int narg, char **arg, BackgroundFluid::Ch
 
 void HydroGrid::init()
 {
-  HydroLevel::init();
   check_pores();
+  HydroLevel::init();
   check_cell();
   if (neighbor->nex_type || neighbor->nex_group || neighbor->nex_mol)
     error->all(FLERR,

@@ -15,8 +15,6 @@
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
-#include "fix_hydro_grid.h"
-#include "fix_hydro_mean.h"
 #include "hydro_tensors.h"
 #include "memory.h"
 #include "modify.h"
@@ -27,41 +25,10 @@
 using namespace LAMMPS_NS;
 using Suspension_NS::require_words;
 
-namespace {
-
-template <class L>
-std::unique_ptr<HydroLevel> make_level(LAMMPS *lmp, Fix *fix, int narg, char **arg)
-{
-  return std::make_unique<L>(lmp, fix, narg, arg);
-}
-
-struct Row {
-  const char *name;
-  std::unique_ptr<HydroLevel> (*make)(LAMMPS *, Fix *, int narg, char **arg);
-};
-
-constexpr Row LEVELS[] = {{"mean", make_level<HydroMean>}, {"grid", make_level<HydroGrid>}};
-
 // fixes that may come later: they read forces, or set them whatever they were
-constexpr const char *READERS[] = {"setforce", "freeze", "store/force"};
+static constexpr const char *READERS[] = {"setforce", "freeze", "store/force"};
 
-}    // namespace
-
-/* ----------------------------------------------------------------------
-   fix ID group hydro level keyword value ...
-------------------------------------------------------------------------- */
-
-std::unique_ptr<HydroLevel> HydroLevel::make(LAMMPS *lmp, Fix *fix, int narg, char **arg)
-{
-  std::string names;
-  require_words(FLERR, lmp->error, "fix hydro", narg + 1, "fix ID group hydro level ...");
-  for (const Row &row : LEVELS) {
-    if (row.name == std::string(arg[3])) return row.make(lmp, fix, narg, arg);
-    names += (names.empty() ? "" : " or ") + std::string(row.name);
-  }
-  lmp->error->all(FLERR, 3, "Fix hydro level must be {}, but is {}", names, arg[3]);
-  return nullptr;
-}
+/* ---------------------------------------------------------------------- */
 
 HydroLevel::HydroLevel(LAMMPS *lmp, Fix *owner, int numbers) :
     Pointers(lmp), columns(numbers), held(nullptr), fix(owner)

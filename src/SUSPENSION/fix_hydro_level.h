@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// How fix hydro describes the fluid: what it does to a particle. A new level is a class and a row of
-// the table in fix_hydro_level.cpp.
+// How fix hydro describes the fluid: what it does to a particle. A new level is a class and a row
+// of the table in fix_hydro.cpp.
 
 #ifndef LMP_FIX_HYDRO_LEVEL_H
 #define LMP_FIX_HYDRO_LEVEL_H
@@ -29,7 +29,6 @@ class NeighList;
 
 class HydroLevel : protected Pointers {
  public:
-  static std::unique_ptr<HydroLevel> make(LAMMPS *, Fix *, int narg, char **arg);    // by arg[3]
   ~HydroLevel() override;
 
   virtual void init();    // is it possible here? Anew in each run

@@ -31,18 +31,18 @@ def einstein():
     edges, tilt = np.array([16.0, 18, 14]), 3.0
     for what, gradient, flow in (
             ("shear", [[0, 0.3, 0], [0, 0, 0], [0, 0, 0]], "deform 1 xy erate 0.3 remap v"),
-            ("plane extension", [[0.2, 0, 0], [0, -0.2, 0], [0, 0, 0]], "deform 1 x trate 0.2 y trate -0.2 remap v"),
-            ("expansion along x", [[0.3, 0, 0], [0, 0, 0], [0, 0, 0]], "deform 1 x trate 0.3 remap v"),
+            ("plane extension", [[0.2, 0, 0], [0, -0.2, 0], [0, 0, 0]], "deform 1 x erate 0.2 y erate -0.2 remap v"),
+            ("expansion along x", [[0.3, 0, 0], [0, 0, 0], [0, 0, 0]], "deform 1 x erate 0.3 remap v"),
             ("shear of three", [[0, 0.1, 0.2], [0, 0, 0.3], [0, 0, 0]], "deform 1 xy erate 0.1 xz erate 0.2 yz erate 0.3 remap v")):
         gradient = np.array(gradient)
         if "extension" in what or "expansion" in what:
-            cell = np.diag(edges)
+            cell, middle = np.diag(edges), edges / 2    # both sides move
         else:
-            cell = np.array([[edges[0], tilt, 0], [0, edges[1], 0], [0, 0, edges[2]]])
+            cell, middle = np.array([[edges[0], tilt, 0], [0, edges[1], 0], [0, 0, edges[2]]]), np.zeros(3)
         x = random_spheres(rnd, cell, radius, gap=0.8)
         spin = np.array([gradient[2, 1] - gradient[1, 2], gradient[0, 2] - gradient[2, 0], gradient[1, 0] - gradient[0, 1]]) / 2
-        write_spheres("spheres.data", cell, x, radius, x @ gradient.T, np.tile(spin, (len(x), 1)))
-        t = read(flow=flow, step=1e-9, density=1e6, grid=GRID)
+        write_spheres("spheres.data", cell, x, radius, (x - middle) @ gradient.T, np.tile(spin, (len(x), 1)))
+        t = read(flow=flow, step=1e-3, density=1e12, grid=GRID)
         volume = np.linalg.det(cell)
         strain = (gradient + gradient.T) / 2 - np.trace(gradient) / 3 * np.eye(3)
         stress = 20 / 3 * np.pi * ETA * np.sum(radius**3) * strain / volume
@@ -51,7 +51,7 @@ def einstein():
         deck.expect_close(f"{what}: stress", [t[n][0] / scale for n in STRESS], expected / scale, atol=1e-12)
         deck.expect_close(f"{what}: heat", t["heat"][0], volume * np.sum(stress * strain), rtol=1e-10)
         deck.expect_close(f"{what}: number of spheres with drag", t["dragged"][0], len(x))
-        deck.expect_close(f"{what}: no forces", [t[n][0] for n in ("fx", "fy", "fz")], 0, atol=1e-11)
+        deck.expect_close(f"{what}: no forces", [t[n][0] for n in ("fx", "fy", "fz")], 0, atol=1e-9)
         phi = 4 / 3 * np.pi * np.sum(radius**3) / volume
         deck.expect_close(f"{what}: volume fraction", t["phi"][0], phi, rtol=1e-12)
         if what == "shear":
@@ -77,28 +77,29 @@ def partners(cell, x, radius, reach):
 def drag():
     """Forces and torques of spheres with fewer than n partners are Stokes', others have none."""
     rnd = np.random.default_rng(2)
-    radius, edges = np.array([1.0] * 24 + [0.5] * 26), (9, 10, 11)
+    radius, edges = np.array([1.0] * 24 + [0.5] * 26), (7, 7.5, 8)
     cell = np.array([[edges[0], 2.5, 0], [0, edges[1], 0], [0, 0, edges[2]]])
     x = random_spheres(rnd, cell, radius, gap=0.01)
-    v, w, rate = rnd.normal(size=x.shape), rnd.normal(size=x.shape), 0.4
-    write_spheres("spheres.data", cell, x, radius, v, w)
+    rate = 0.4
+    write_spheres("spheres.data", cell, x, radius, rnd.normal(size=x.shape), rnd.normal(size=x.shape))
     flow_v, flow_w = np.array([rate * x[:, 1], 0 * x[:, 0], 0 * x[:, 0]]).T, np.array([0, 0, -rate / 2])
     force_of, torque_of = stokes(radius)
     for words, few, reach, newton in (("mean", 3, 0.5, "on"), ("mean isolated 1 viscosity pair", 1, 0.5, "off"),
                                       (f"mean isolated 5 viscosity {ETA}", 5, 1.0, "on")):
         number = partners(cell, x, radius, reach)
-        on = (number < few)[:, None]
-        t = read(rate=rate, hydro=words, range=f"cut {reach}", newton=newton, step=1e-9, density=1e6, grid=GRID)
+        on = (number < few)[:, None].astype(float)
+        t = read(flow=f"deform/rheometer rate {rate} volume", hydro=words, range=f"cut {reach}", newton=newton, step=1e-9, density=1e6, grid=GRID)
         d = deck.read_dump("still.dump")
+        v, w = (np.array([d[n] for n in names]).T for names in (("vx", "vy", "vz"), ("omegax", "omegay", "omegaz")))
         force, torque = (np.array([d[f"f_far[{n}]"] for n in names]).T for names in ((1, 2, 3), (4, 5, 6)))
         name = f"{words}, {np.sum(on)} of {len(x)}"
-        deck.expect("some are dragged and some are not", 5 < np.sum(on) < 45, np.sum(on))
+        deck.expect("some are dragged and some are not", 2 < np.sum(on) < 45, np.sum(on))
         deck.expect_close(f"{name}: forces", force, -on * force_of[:, None] * (v - flow_v), atol=1e-7)
         deck.expect_close(f"{name}: torques", torque, -on * torque_of[:, None] * (w - flow_w), atol=1e-7)
-        deck.expect_close(f"{name}: sum of forces", [t[n][0] for n in ("fx", "fy", "fz")], np.sum(force, axis=0), atol=1e-7)
-        deck.expect_close(f"{name}: number", t["dragged"][0], np.sum(on))
+        deck.expect_close(f"{name}: sum of forces", [t[n][-1] for n in ("fx", "fy", "fz")], np.sum(force, axis=0), atol=1e-7)
+        deck.expect_close(f"{name}: number", t["dragged"][-1], np.sum(on))
         heat = -np.sum(force * (v - flow_v)) - np.sum(torque * (w - flow_w)) + 10 / 3 * np.pi * ETA * rate**2 * np.sum(radius**3)
-        deck.expect_close(f"{name}: heat", t["heat"][0], heat, rtol=1e-8)
+        deck.expect_close(f"{name}: heat", t["heat"][-1], heat, rtol=1e-8)
 
 
 def network():
@@ -108,18 +109,15 @@ def network():
     cell, radius = np.diag([edge] * 3), np.ones(40)
     x = random_spheres(rnd, cell, radius, gap=0.02)
     gradient = np.array([[0, rate, 0], [0, 0, 0], [0, 0, 0]])
-    write_spheres("spheres.data", cell, x, radius, x @ gradient.T, np.tile([0, 0, -rate / 2], (len(x), 1)))
+    write_spheres("spheres.data", cell, x, radius, x @ gradient.T, np.tile([0, 0, -rate / 2], (len(x), 1)), triclinic=True)
     for few in (3, 100):
-        t = read(hydro=f"mean isolated {few}", steps=4000)
+        t = read(hydro=f"mean isolated {few}", steps=4000, every=4000)
         state = {**dict(zip("xyz", x.T)), "radius": radius}
         squeeze, shear = Network(state, (edge, edge, edge, 0), eta=ETA, g=1e6, kt=5e5, reach=0.5, drag=few).stress()
         name = f"drag below {few} partners"
-        deck.expect_close(f"{name}: squeeze", t["c_stress[2][4]"][-1] / rate, squeeze.real, rtol=2e-3)
-        deck.expect_close(f"{name}: shear", t["c_stress[4][4]"][-1] / rate, shear.real, rtol=2e-3)
+        deck.expect_close(f"{name}: squeeze", t["c_stress[3][4]"][-1] / rate, squeeze.real, rtol=1e-5)
+        deck.expect_close(f"{name}: shear", t["c_stress[4][4]"][-1] / rate, shear.real, rtol=1e-5)
         deck.expect_close(f"{name}: stresslets", t["xy"][-1] / rate, 0.5 * ETA, rtol=1e-9)
-        put = t["c_power"][-1]
-        spheres_put = (squeeze + shear).real * rate**2 * edge**3 + t["xy"][-1] * rate * edge**3
-        deck.expect_close(f"{name}: power put in", put, spheres_put, rtol=2e-3)
 
 
 ROWS = [f"c_power[{m}][{n}]" for n in (1, 2) for m in range(1, 12)]

@@ -14,7 +14,7 @@ def random_spheres(rnd, cell, radius, gap=0.0, factor=1.0):
     return x
 
 
-def write_spheres(name, cell, x, radius, v, w, density=1e4):
+def write_spheres(name, cell, x, radius, v, w, density=1e4, triclinic=False):
     """A data file of atom_style sphere, with velocities and spins."""
     a, b, c = np.diag(cell)
     xy, xz, yz = cell[0, 1], cell[0, 2], cell[1, 2]
@@ -23,7 +23,7 @@ def write_spheres(name, cell, x, radius, v, w, density=1e4):
         return " ".join(f"{value:.17g}" for value in values)
     with open(name, "w", encoding="ascii") as file:
         file.write(f"spheres\n\n{len(x)} atoms\n1 atom types\n0 {a:.17g} xlo xhi\n0 {b:.17g} ylo yhi\n0 {c:.17g} zlo zhi\n")
-        if np.any([xy, xz, yz]):
+        if triclinic or np.any([xy, xz, yz]):
             file.write(f"{xy} {xz} {yz} xy xz yz\n")
         file.write("\nAtoms # sphere\n\n")
         for n, (p, r) in enumerate(zip(x, radius)):
