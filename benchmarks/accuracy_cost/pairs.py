@@ -18,8 +18,8 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-DECKS = ROOT / "tests" / "decks"
-sys.path.insert(0, str(DECKS))
+PAIR = ROOT / "examples" / "pair"
+sys.path.insert(0, str(ROOT / "tests" / "decks"))
 from deck import Run
 from oracle import exact_pair, normal_pair, sheared_pair
 
@@ -125,7 +125,7 @@ def falling(name, scheme, fraction):
     mass = 4 / 3 * np.pi * density
     limit = stiffness_limit(mass, g, g)
     every, step = outputs_apart(duration / rows, fraction * limit)
-    run = lammps(DECKS / "falling_sphere" / "in.falling_sphere", density=density, g=g, k=k, eps=eps, u0=u0, gap=scheme,
+    run = lammps(PAIR / "in.fall", density=density, g=g, k=k, eps=eps, u0=u0, gap=scheme,
                  duration=duration, rows=rows, courant=step / np.sqrt(mass / (2 * g)) * (1 + 1e-9))
     row = {"scene": "falling sphere", "setting": name, "gap": scheme, "dt_over_limit": step / limit, "steps": every * rows}
     failed = why(run)
@@ -172,7 +172,7 @@ def encounter(name, scheme, fraction):
     limit = stiffness_limit(4 / 3 * np.pi * set_["density"], set_["g"], 0.5 * set_["g"])
     every, step = outputs_apart(SPACING, fraction * limit)
     times, x, y, u = encounter_reference(name)
-    run = lammps(DECKS / "pair_in_shear" / "in.pair_in_shear", step=step, every=every, rows=len(times) - 1,
+    run = lammps(PAIR / "in.shear", step=step, every=every, rows=len(times) - 1,
                  more=f"gap {scheme}", **encounter_variables(set_))
     row = {"scene": "pair in shear", "setting": name, "gap": scheme, "dt_over_limit": step / limit,
            "steps": every * (len(times) - 1)}
@@ -266,7 +266,7 @@ def model_row(name, set_, exact_y, ns):
     """How far the model is from the exact hydrodynamics, with a step of a tenth of the limit."""
     set_ = {**USUAL, "x0": -5.8, **set_}
     every, step = outputs_apart(SPACING, 0.1 * stiffness_limit(4 / 3 * np.pi * set_["density"], set_["g"], 0.5 * set_["g"]))
-    run = lammps(DECKS / "pair_in_shear" / "in.pair_in_shear", step=step, every=every, rows=450,
+    run = lammps(PAIR / "in.shear", step=step, every=every, rows=450,
                  more=set_.get("more", "gap exponential"), **encounter_variables(set_))
     table = run.thermo()
     gap = np.min(table["c_u"][table["c_u"] > 0])
@@ -300,7 +300,7 @@ def rolls():
     """What the torques change for radii 1 and 0.7 off the plane, where the pair rolls and twists."""
     rows = []
     for name, more in ROLLS.items():
-        table = lammps(DECKS / "pair_in_shear" / "in.pair_in_shear", density=0.02, g=1e3, k=1e3, kt=500.0, reach=0.5, a2=0.7,
+        table = lammps(PAIR / "in.shear", density=0.02, g=1e3, k=1e3, kt=500.0, reach=0.5, a2=0.7,
                        x0=-4.8, y0=0.6, z0=0.4, step=1e-3, every=100, rows=300, more=more).thermo()
         rows.append({"setting": name, "least_gap": np.min(table["c_u"][table["c_u"] > 0]),
                      "y": np.interp(4.0, table["v_X"], table["v_Y"]), "z": np.interp(4.0, table["v_X"], table["v_Z"])})

@@ -14,6 +14,7 @@ import numpy as np
 
 CASE = Path(sys.argv[0]).resolve().parent
 ROOT = Path(__file__).resolve().parents[2]
+PAIR = ROOT / "examples" / "pair"    # decks of two spheres: in.fall, in.shear
 RANKS = int(os.environ.get("RANKS", "1"))
 _failures = []
 

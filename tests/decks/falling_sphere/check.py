@@ -10,7 +10,7 @@ whatever the stiffness: the last term, 4e-5 at most, is all that inertia and ela
 """
 import numpy as np
 
-from deck import expect, expect_close, finish, run
+from deck import PAIR, expect, expect_close, finish, run
 from oracle.normal_pair import Pair, film
 
 ETA, RADIUS, DENSITY = 1.0, 1.0, 5e-4
@@ -26,7 +26,7 @@ UN = 1e-6 * U0
 
 
 def simulate(eps, k, gap="exponential"):
-    rows = run("in.falling_sphere", eta=ETA, a=RADIUS, density=DENSITY, g=G, k=k, eps=eps, u0=U0, gap=gap,
+    rows = run(PAIR / "in.fall", eta=ETA, a=RADIUS, density=DENSITY, g=G, k=k, eps=eps, u0=U0, gap=gap,
                duration=DURATION).thermo()
     return rows["Time"], np.log(rows["c_u"]), rows["v_un"], rows["v_v"]
 

@@ -1,4 +1,4 @@
-"""Two equal smooth spheres without inertia in the plane of a shear flow (rate y, 0), with all of their hydrodynamics.
+"""Two equal smooth spheres without inertia in a shear flow (rate y, 0, 0), with all of their hydrodynamics.
 
 Relative motion x' = E x - W x - [A n n + B (1 - n n)] E x of the centres (lengths in the radius, times in 1/rate); A and B by
 the fits of F.R. da Cunha, E.J. Hinch, J. Fluid Mech. 309, 211 (1996) to the values of G.K. Batchelor, J.T. Green,
@@ -34,11 +34,12 @@ def across(r):
 
 
 def rates(_, state):
-    x, y = state
-    r = math.hypot(x, y)
+    """x' of (x, y), or of (x, y, z)"""
+    x, y = state[:2]
+    r = math.hypot(*state)
     A, B = along(r), across(r)
     strain = (A - B) * x * y / r**2
-    return [y - strain * x - 0.5 * B * y, -strain * y - 0.5 * B * x]
+    return [y - strain * x - 0.5 * B * y, -strain * y - 0.5 * B * x] + [-strain * z for z in state[2:]]
 
 
 def encounter(x0, y0, x_end):
@@ -53,6 +54,36 @@ def encounter(x0, y0, x_end):
     done = solve_ivp(rates, (0.0, 1e4), [x0, y0], method="DOP853", rtol=1e-10, atol=1e-13, events=[abreast, end])
     gap = done.y_events[0][0, 1] - 2.0 if len(done.y_events[0]) else math.nan    # by symmetry the smallest
     return gap, done.y_events[1][0, 1]
+
+
+def path(start, x_end, rough=0.0, fine=False):
+    """From start past the other sphere to x_end, hard and rough: surfaces closer than rough slide along each other without
+    friction until the flow pulls them apart. Positions, one column each, fine for a figure, and the smallest gap.
+    """
+    def meet(_, state):
+        return math.hypot(*state) - 2 - rough
+
+    def sliding(_, state):
+        n, v = np.array(state) / math.hypot(*state), np.array(rates(0.0, state))
+        return v - min(0.0, v @ n) * n
+
+    def parts(_, state):
+        return np.dot(rates(0.0, state), state)
+
+    def end(_, state):
+        return state[0] - x_end
+
+    meet.terminal, meet.direction, end.terminal, end.direction, parts.terminal, parts.direction = True, -1.0, True, 1.0, True, 1.0
+    points, touching, passed = [np.array(start, dtype=float)], False, False
+    while not passed:
+        done = solve_ivp(sliding if touching else rates, (0.0, 1e4), points[-1], method="DOP853", rtol=1e-10, atol=1e-13,
+                         max_step=0.1 if touching else 0.3 if fine else 5.0, events=[parts] if touching else [end, meet] if rough else [end])
+        assert done.status == 1, done.message
+        points += list(done.y.T[1:])
+        passed = not touching and len(done.t_events[0]) > 0
+        touching = not touching
+    found = np.array(points).T
+    return found, np.min(np.linalg.norm(found, axis=0)) - 2
 
 
 def leave_contact(gap, x_end):

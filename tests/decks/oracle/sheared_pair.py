@@ -53,6 +53,10 @@ class Pair:
         self.a = 2 * ri * rj / (ri + rj)
         self.mass = [4 / 3 * np.pi * self.density * r**3 for r in self.radii]
 
+    def felt(self, un):    # pylint: disable=unused-argument
+        """Part of the slip velocity that the film feels; for models that are not this one."""
+        return 1.0
+
     def separation(self, state):
         return np.linalg.norm(state[0:3] - state[9:12]) - sum(self.radii)
 
@@ -89,7 +93,7 @@ class Pair:
         si, sj = ri + 0.5 * un, rj + 0.5 * un
         v = vi - vj
         across = v - (v @ n) * n
-        vt = across - cross(si * wi + sj * wj, n)
+        vt = self.felt(un) * (across - cross(si * wi + sj * wj, n))
         turn = cross(n, across) / r + 0.5 * ((wi + wj) @ n) * n
         twist = (wi - wj) @ n
         roll = wi - wj - twist * n
@@ -119,8 +123,10 @@ class Pair:
         self.drag(state, rates)
         return rates
 
-    def solve(self, xi, xj, times, rtol=1e-5):
-        """States at the times, one column each, with ln u = inf out of reach; the smallest u on the way."""
+    def solve(self, xi, xj, times, rtol=1e-5, once=False):
+        """States at the times, one column each, with ln u = inf out of reach; the smallest u on the way.
+        once: the last column is the state at which the pair leaves its reach, where the solution ends.
+        """
         def border(_, state):
             return self.separation(state) - self.reach * self.a
 
@@ -148,4 +154,7 @@ class Pair:
             else:
                 found[GAP, here] = math.inf
             state, now, inside = done.y[:, -1].copy(), done.t[-1], inside ^ (done.status == 1)
+            if once and not inside and least < math.inf:
+                found[:, -1] = state
+                break
         return found, least

@@ -4,7 +4,7 @@ discs at imposed pressure whatever their mass, cells that deform, restart.
 """
 import numpy as np
 
-from deck import RANKS, expect, expect_close, finish, make_state, read_dump, run
+from deck import PAIR, RANKS, expect, expect_close, finish, make_state, read_dump, run
 from oracle.sheared_pair import GAP, XI, XJ, Pair
 
 PUSH, FLUID, TURN = np.array([0.02, -0.05, 0.03]), np.array([0.1, 0.2, -0.3]), np.array([-0.2, 0.3, 0.6])
@@ -59,7 +59,7 @@ def pair_in_shear():
     paths = []
     for step in 2e-3, 1e-3:
         every = round(0.1 / step)
-        rows = run("../pair_in_shear/in.pair_in_shear", motion="overdamped", g=1 / ca, k=1 / ca, kt=kt, y0=y0, reach=reach,
+        rows = run(PAIR / "in.shear", motion="overdamped", g=1 / ca, k=1 / ca, kt=kt, y0=y0, reach=reach,
                    step=step, every=every, rows=140).thermo()
         paths.append(np.array([rows["v_X"], rows["v_Y"], rows["c_u"]]))
     pair = Pair(rate=1.0, eta=1.0, density=1e-4, g=1 / ca, kt=kt, reach=reach)

@@ -7,7 +7,7 @@ is good to 1e-5.
 """
 import numpy as np
 
-from deck import RANKS, expect, expect_close, finish, run
+from deck import PAIR, RANKS, expect, expect_close, finish, run
 from oracle.sheared_pair import GAP, WI, WJ, XI, XJ, Pair
 
 STOKES, CA, KT, STEP = 0.02, 1e-4, 5e3, 5e-4
@@ -21,7 +21,7 @@ def make_pair(a2=1.0, reach=4.0, kt=KT):
 def simulate(duration, y0, z0=0.0, a2=1.0, reach=4.0, kt=KT, step=STEP):
     """Times; position, spin (of the second relative to the first) and gap in one table."""
     every = round(0.02 / step)
-    rows = run("in.pair_in_shear", density=STOKES, g=1 / CA, k=1 / CA, kt=kt, reach=reach, a2=a2, y0=y0, z0=z0,
+    rows = run(PAIR / "in.shear", density=STOKES, g=1 / CA, k=1 / CA, kt=kt, reach=reach, a2=a2, y0=y0, z0=z0,
                step=step, every=every, rows=round(duration / step / every)).thermo()
     names = "v_X v_Y v_Z v_spin_x v_spin_y v_spin_z c_u".split()
     return rows["Time"], np.array([rows[name] for name in names])

@@ -3,7 +3,7 @@ k (eps a - u) carry the weight. Frictionless elastic spheres with repulsion can 
 import numpy as np
 from scipy.optimize import brentq
 
-from deck import expect, expect_close, finish, run
+from deck import PAIR, expect, expect_close, finish, run
 from oracle.normal_pair import Pair, film
 
 ETA, DENSITY, G, K, U0, DURATION = 1.0, 5e-4, 5e3, 1e3, 0.1, 12.0
@@ -12,7 +12,7 @@ F0, LENGTH = 50.0, 0.01
 
 
 def settle(what, eps, atol):
-    rows = run("../falling_sphere/in.falling_sphere", eta=ETA, a=1.0, density=DENSITY, g=G, k=K, eps=eps, u0=U0,
+    rows = run(PAIR / "in.fall", eta=ETA, a=1.0, density=DENSITY, g=G, k=K, eps=eps, u0=U0,
                duration=DURATION, more=f"repulsion {F0} {LENGTH}").thermo()
     t, u, un, v = rows["Time"], rows["c_u"], rows["v_un"], rows["v_v"]
     exact = Pair(MASS, WEIGHT, G, K, eps, film(ETA, 1.0), F0=F0, length=LENGTH).solve(U0, 0.0, t).y

@@ -1,23 +1,22 @@
 # ranks: 1
 """Stokes flow is reversible: a smooth stiff pair that passed in shear is back on its streamline. A rough pair that touched
-is not. The deck is the one of pair_in_shear.
+is not.
 
 What keeps the smooth pair off its streamline is the deflection, proportional to Ca = eta rate a/g, and inertia,
 proportional to St, here 10 Ca. With the step in proportion, too, everything that is left has to shrink with Ca.
 """
 import numpy as np
 
-from deck import expect, expect_close, finish, run
+from deck import PAIR, expect, expect_close, finish, run
 from oracle.sheared_pair import GAP, XI, XJ, Pair
 
 REACH, KT_OVER_G = 4.0, 0.5
-DECK = "../pair_in_shear/in.pair_in_shear"
 
 
 def passing(ca, stokes, step, y0, duration, eps=0.0, mu=0.0):
     """Outputs of the deck and relative positions and gap by SciPy."""
     every = round(0.02 / step)
-    rows = run(DECK, density=stokes, g=1 / ca, k=1 / ca, kt=KT_OVER_G / ca, reach=REACH, y0=y0, eps=eps,
+    rows = run(PAIR / "in.shear", density=stokes, g=1 / ca, k=1 / ca, kt=KT_OVER_G / ca, reach=REACH, y0=y0, eps=eps,
                friction=f"coulomb {mu}" if mu else "none", step=step, every=every,
                rows=round(duration / step / every)).thermo()
     pair = Pair(rate=1.0, eta=1.0, density=stokes, g=1 / ca, kt=KT_OVER_G / ca, reach=REACH, k=1 / ca, eps=eps, mu=mu)

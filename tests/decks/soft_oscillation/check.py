@@ -7,7 +7,7 @@ Stokes number a rho sqrt(2 u0 gravity)/eta = 30, W/g = a/20, time unit eta/(a rh
 """
 import numpy as np
 
-from deck import expect_close, finish, run
+from deck import PAIR, expect_close, finish, run
 from oracle.normal_pair import Pair, film
 
 STOKES, U0, SAG, PERIODS = 30, 0.1, 0.05, 4
@@ -20,7 +20,7 @@ COURANT = [0.2, 0.1, 0.05]    # step over sqrt(m/(2 g))
 
 
 def swing(eps, courant, gap="exponential"):
-    rows = run("../falling_sphere/in.falling_sphere", density=DENSITY, g=G, k=G, eps=eps, u0=U0, gap=gap, courant=courant,
+    rows = run(PAIR / "in.fall", density=DENSITY, g=G, k=G, eps=eps, u0=U0, gap=gap, courant=courant,
                duration=DURATION, rows=200).thermo()
     return rows["Time"], np.array([rows["v_un"], np.log(rows["c_u"]), rows["v_v"]])
 
