@@ -138,20 +138,12 @@ void FixHydro::post_force(int /*vflag*/)
   step_power = 0.5 * (before + work);
 }
 
-/* ----------------------------------------------------------------------
-   rate of strain of the cell, without a change of its volume
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void FixHydro::find_strain(double *five) const
 {
-  std::fill_n(five, 5, 0.0);
-  if (!deforms) return;
-  const double *rate = domain->h_rate, *inv = domain->h_inv;
-  Hydro_NS::put_strain({{rate[0] * inv[0], rate[0] * inv[5] + rate[5] * inv[1],
-                         rate[0] * inv[4] + rate[5] * inv[3] + rate[4] * inv[2]},
-                        {0.0, rate[1] * inv[1], rate[1] * inv[3] + rate[3] * inv[2]},
-                        {0.0, 0.0, rate[2] * inv[2]}},
-                       five);
+  const auto e = Suspension_NS::cell_strain(domain);
+  Hydro_NS::put_strain({{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}, five);
 }
 
 static Fluid_NS::Flow flow_at(const Domain *domain, bool deforms, const double *x)

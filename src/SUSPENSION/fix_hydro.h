@@ -97,6 +97,7 @@ class FixHydro : public Fix {
   int parse_keyword(int, int, char **);
   void check_cell() const;
   void check_others();
+  void check_films() const;
   void check_order() const;
   void measure_radius();
   void find_strain(double *) const;

@@ -16,9 +16,11 @@
 #include "error.h"
 #include "exclusive_particles.h"
 #include "fix_hydro_settings.h"
+#include "lubcontact_law.h"
 #include "modify.h"
 #include "neigh_request.h"
 #include "neighbor.h"
+#include "pair_lubcontact.h"
 #include "spin_inertia.h"
 #include "suspension_host.h"
 
@@ -138,6 +140,7 @@ void FixHydro::init()
                Suspension_NS::why_no_viscosity(lmp));
   own->start(groupbit);
   check_others();
+  check_films();
   check_cell();
   check_order();
   inertia->find(lmp);
@@ -224,6 +227,22 @@ void FixHydro::check_others()
     error->all(FLERR,
                "Fix hydro needs all pairs, of which neigh_modify exclude leaves some out: use "
                "neigh_modify exclude none");
+}
+
+/* ----------------------------------------------------------------------
+   films of another range would be in the far field once more
+------------------------------------------------------------------------- */
+
+void FixHydro::check_films() const
+{
+  for (const PairLubcontact *pair : PairLubcontact::all(lmp)) {
+    const Lubcontact_NS::Settings &s = pair->settings();
+    if (s.films && s.range != Lubcontact_NS::Range::RESIDUAL)
+      error->all(FLERR,
+                 "Fix hydro grid has a part of the films of pair_style lubcontact ... {}, which "
+                 "would act twice: use range residual, or switch the films off",
+                 Lubcontact_NS::RANGE_NAME[static_cast<int>(s.range)]);
+  }
 }
 
 /* ----------------------------------------------------------------------
