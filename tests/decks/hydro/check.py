@@ -4,6 +4,7 @@ import numpy as np
 
 import deck
 from oracle import far_field
+from oracle.spheres import random_spheres, write_spheres
 
 OUTPUT = ["iterations", "residual"] + ["xx", "yy", "zz", "xy", "xz", "yz"] + ["heat", "fx", "fy", "fz", "solutions", "phi"]
 GRIDS = {1: ["1 1 1"], 2: ["1 1 2", "2 1 1"], 4: ["2 2 1", "1 1 4"]}[deck.RANKS]
@@ -16,25 +17,9 @@ def spheres(rnd, edges, tilts, radius):
     a, b, c = edges
     xy, xz, yz = tilts
     cell = np.array([[a, xy, xz], [0, b, yz], [0, 0, c]], dtype=float)
-    images = np.array([(i, j, k) for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1)]) @ cell.T
-    x = []
-    while len(x) < len(radius):
-        new = cell @ rnd.random(3)
-        r = radius[len(x)]
-        if all(np.min(np.linalg.norm(new - old + images, axis=1)) > 1.02 * (r + s) for old, s in zip(x, radius)):
-            x.append(new)
-    x = np.array(x)
+    x = random_spheres(rnd, cell, radius, factor=1.02)
     v, w = rnd.normal(size=x.shape), rnd.normal(size=x.shape)
-    with open("spheres.data", "w", encoding="ascii") as file:
-        file.write(f"spheres\n\n{len(x)} atoms\n1 atom types\n0 {a} xlo xhi\n0 {b} ylo yhi\n0 {c} zlo zhi\n")
-        if any(tilts):
-            file.write(f"{xy} {xz} {yz} xy xz yz\n")
-        file.write("\nAtoms # sphere\n\n")
-        for n, (p, r) in enumerate(zip(x, radius)):
-            file.write(f"{n + 1} 1 {2 * r:.17g} 1e4 " + " ".join(f"{value:.17g}" for value in p) + "\n")
-        file.write("\nVelocities\n\n")
-        for n, (p, q) in enumerate(zip(v, w)):
-            file.write(f"{n + 1} " + " ".join(f"{value:.17g}" for value in (*p, *q)) + "\n")
+    write_spheres("spheres.data", cell, x, radius, v, w)
     return cell, x, v, w
 
 
