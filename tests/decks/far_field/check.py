@@ -20,6 +20,9 @@ ZICK = {0.027: (2.008, 0.002), 0.064: (2.810, -0.002), 0.125: (4.292, -0.025), 0
 # a, b of N. Zuzovsky, P.M. Adler, H. Brenner, Phys. Fluids 26, 1714 (1983); b by lattice sums anew, where -0.04655 and 0.01271
 # are in use for sc and fcc
 ZUZOVSKY = {"sc": (0.2857, -0.04645), "bcc": (-0.0897, 0.01432), "fcc": (-0.0685, 0.01273)}
+# Mobility of two spheres at a gap of 0.5, one above the other and side by side, over that of one; spin of the latter:
+# D.J. Jeffrey, Y. Onishi, J. Fluid Mech. 139, 261 (1984), from their resistance functions
+ABOVE, BESIDE, TURN = 1.486071, 1.326380, 0.113403
 
 
 def expected(basis, phi):
@@ -74,12 +77,12 @@ def relax(cell, x, v, w, **variables):
 
 def pushed():
     """Velocities under given forces; the fluid takes the forces up, and turns their work into heat."""
-    eta, hydro = 0.7, "tol 1e-9 spacing 0.5 support 7 reach 9"
+    eta, hydro = 0.7, "tol 1e-9 spacing 0.65 support 6.5 reach 8"
     cell = dispersion.cell_of((7, 6, 8), (2.1, -0.7, 1.1))
     x = dispersion.added_in_turn(np.random.default_rng(8), cell, np.ones(14))
     i = np.arange(1, 15)
     force = np.array([np.sin(1.3 * i), np.cos(2.1 * i), 1 + 0.5 * np.sin(0.7 * i)]).T
-    t, v, w = relax(cell, x, np.zeros_like(x), np.zeros_like(x), eta=eta, push="yes", hydro=hydro, steps=250)
+    t, v, w = relax(cell, x, np.zeros_like(x), np.zeros_like(x), eta=eta, push="yes", hydro=hydro, steps=220)
     m = far_field.mobility(cell, x, np.ones(14)).reshape(14, 11, 14, 11)
     of_s = m[:, 6:, :, 6:].reshape(70, 70)
     fixed = m[:, :6, :, :6].reshape(84, 84) - m[:, :6, :, 6:].reshape(84, 70) @ np.linalg.solve(
@@ -114,8 +117,21 @@ def pair():
         deck.expect_close(f"pair at {r}: spins are the same", w[0], w[1], atol=1e-6)
 
 
+def falling_pair():
+    """Two spheres side by side and one above the other; without images, which slow them down by 2.837 a/L each."""
+    edge, gap, hydro = 40.0, 0.5, "tol 1e-8 spacing 0.82 support 5.5 reach 6.5"
+    lattice = 2 * (2.837297 / edge - 4 * np.pi / 3 / edge**3)
+    for what, n, known, spin, error in (("above", 1, ABOVE, 0.0, 0.006), ("beside", 0, BESIDE, TURN, 0.001)):
+        x = np.full((2, 3), edge / 2)
+        x[:, n] += (2 + gap) * np.array([-0.5, 0.5])
+        _, v, w = relax(edge * np.eye(3), x, 0 * x, 0 * x, hydro=hydro, steps=30, push="yes", fx="0", fy=str(-6 * np.pi), fz="0")
+        deck.expect_close(f"pair, one {what} the other: velocity", -v[:, 1] + lattice, known, rtol=error)
+        deck.expect_close(f"pair, one {what} the other: spin", w[:, 2], np.array([-1, 1]) * spin, atol=0.002)
+
+
 if __name__ == "__main__":
     arrays()
     pushed()
     pair()
+    falling_pair()
     deck.finish()
