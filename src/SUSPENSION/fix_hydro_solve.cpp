@@ -7,15 +7,15 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// The loads of fix hydro: the solution of a linear system.
+// The loads of fix hydro grid: the solution of a linear system.
 
-#include "fix_hydro.h"
+#include "fix_hydro_grid.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "exclusive_particles.h"
+#include "fix.h"
 #include "fix_hydro_held.h"
 #include "fix_hydro_settings.h"
 #include "hydro_hold.h"
@@ -37,11 +37,12 @@ static constexpr int MOST_ITERATIONS = 500;
    M (F, T, S) = (v', w', -E). Lengths in widths, so that all numbers have the same unit
 ------------------------------------------------------------------------- */
 
-void FixHydro::solve(double tolerance, double viscosity)
+void HydroGrid::solve(double tolerance)
 {
-  state.viscosity = viscosity;
+  const int groupbit = fix->groupbit;
+  state.viscosity = fluid->viscosity_now();
   neighbor->build_one(list);
-  field->prepare(settings->field, groupbit, state.radius, viscosity, list);
+  field->prepare(settings->field, groupbit, state.radius, state.viscosity, list);
 
   const int nlocal = atom->nlocal;
   const std::size_t size = static_cast<std::size_t>(nlocal) * NUMBERS;
@@ -51,9 +52,8 @@ void FixHydro::solve(double tolerance, double viscosity)
   std::vector<double> right(size, 0.0), x(size, 0.0), scaled(size);
   for (int i = 0; i < nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    own->check(atom->mask[i]);
     volume += Suspension_NS::particle_volume(domain, atom->radius[i]);
-    const Fluid_NS::Flow flow = flow_at(domain, deforms, atom->x[i]);
+    const Fluid_NS::Flow flow = fluid->flow_at(i);
     double *h = held[i], *b = &right[i * NUMBERS];
     Lubcontact_NS::put_vector(get_vector(atom->v[i]) - flow.velocity, h + MOTION);
     Lubcontact_NS::put_vector(get_vector(atom->omega[i]) - flow.spin, h + MOTION + 3);

@@ -2,7 +2,8 @@
 import numpy as np
 
 import deck
-from oracle import dispersion, exact_pair, far_field
+from oracle import exact_pair, far_field
+from oracle.spheres import cell_of, random_spheres, write_spheres
 
 # basis; edges of the cell with one sphere, over those of the cube with this number of spheres
 ARRAYS = {"sc": (np.eye(3), 1),
@@ -69,7 +70,7 @@ def arrays():
 
 
 def relax(cell, x, v, w, **variables):
-    dispersion.write_spheres("spheres.data", cell, x, np.ones(len(x)), v, w, 1e-9, triclinic=True)
+    write_spheres("spheres.data", cell, x, np.ones(len(x)), v, w, 1e-9, triclinic=True)
     t = deck.run("in.free", **variables).thermo()
     d = deck.read_dump("free.dump")
     return t, *(np.array([d[n + a] for a in "xyz"]).T for n in ("v", "omega"))
@@ -78,8 +79,8 @@ def relax(cell, x, v, w, **variables):
 def pushed():
     """Velocities under given forces; the fluid takes the forces up, and turns their work into heat."""
     eta, hydro = 0.7, "tol 1e-9 spacing 0.65 support 6.5 reach 8"
-    cell = dispersion.cell_of((7, 6, 8), (2.1, -0.7, 1.1))
-    x = dispersion.added_in_turn(np.random.default_rng(8), cell, np.ones(14))
+    cell = cell_of((7, 6, 8), (2.1, -0.7, 1.1))
+    x = random_spheres(np.random.default_rng(8), cell, np.ones(14), factor=1.02)
     i = np.arange(1, 15)
     force = np.array([np.sin(1.3 * i), np.cos(2.1 * i), 1 + 0.5 * np.sin(0.7 * i)]).T
     t, v, w = relax(cell, x, np.zeros_like(x), np.zeros_like(x), eta=eta, push="yes", hydro=hydro, steps=220)

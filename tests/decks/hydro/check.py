@@ -3,22 +3,22 @@
 import numpy as np
 
 import deck
-from oracle import dispersion, far_field
+from oracle import far_field
+from oracle.spheres import cell_of, random_spheres, write_spheres
 
 SIX = ["xx", "yy", "zz", "xy", "xz", "yz"]
 OUTPUT = ["iterations", "residual"] + SIX + ["heat", "fx", "fy", "fz", "solutions", "phi"]
 GRIDS = {1: ["1 1 1"], 2: ["1 1 2", "2 1 1"], 4: ["2 2 1", "1 1 4"]}[deck.RANKS]
 EXACT = "tol 1e-10 spacing 0.5 support 7 reach 9"
 ETA = 0.7
-DENSITY = 1e4
 
 
 def spheres(rnd, edges, tilts, radius):
     """Random places, velocities and spins; cell, centers and these."""
-    cell = dispersion.cell_of(edges, tilts)
-    x = dispersion.added_in_turn(rnd, cell, radius)
+    cell = cell_of(edges, tilts)
+    x = random_spheres(rnd, cell, radius, factor=1.02)
     v, w = rnd.normal(size=x.shape), rnd.normal(size=x.shape)
-    dispersion.write_spheres("spheres.data", cell, x, radius, v, w, DENSITY)
+    write_spheres("spheres.data", cell, x, radius, v, w)
     return cell, x, v, w
 
 
@@ -72,7 +72,7 @@ def described_anew():
     hydro = {"hydro": f"grid every 1 {EXACT}"}
 
     def found(cell, x, v, w, rotation=np.eye(3), order=None, flow=""):
-        dispersion.write_spheres("spheres.data", cell, x, radius, v, w, DENSITY, order)
+        write_spheres("spheres.data", cell, x, radius, v, w, order=order)
         t, force, torque = instant(grid=GRIDS[0], flow=flow, **hydro)
         s = rotation.T @ np.array([[t[n] for n in row] for row in (("xx", "xy", "xz"), ("xy", "yy", "yz"), ("xz", "yz", "zz"))]) @ rotation
         t.update(dict(zip(SIX, s[(0, 1, 2, 0, 0, 1), (0, 1, 2, 1, 2, 2)])))
@@ -99,7 +99,7 @@ def described_anew():
     cell, x, v, w = spheres(rnd, (7, 6.5, 8), tilted, radius)
     before = found(cell, x, v, w, flow=f"fix flow all deform 1 xy erate {rate} remap v")
     axes = np.eye(3)[:, (2, 0, 1)]    # x is y now
-    same("axes", found(dispersion.cell_of((8, 7, 6.5), (0, 0, 1.0)), x @ axes, v @ axes, w @ axes, axes.T,
+    same("axes", found(cell_of((8, 7, 6.5), (0, 0, 1.0)), x @ axes, v @ axes, w @ axes, axes.T,
                        flow=f"fix flow all deform 1 yz erate {rate} remap v"), before)
     y = x + [2.3, 4.1, -3.7]
     y -= np.floor(y @ np.linalg.inv(cell).T) @ cell.T
@@ -113,5 +113,6 @@ if __name__ == "__main__":
     against_the_matrix("two sizes and a third, triclinic", (6, 6.5, 7), (2.1, -0.7, 1.1), mixed, 0.0, 2)
     against_the_matrix("equal spheres, sheared", (7, 6, 8), (2.4, 0, 0), equal, 1.3, 3)
     against_the_matrix("newton off", (6, 6.5, 7), (2.1, -0.7, 1.1), mixed, 0.8, 4, newton="off")
-    described_anew()
+    if deck.RANKS == 1:    # the matrix is the judge of several
+        described_anew()
     deck.finish()
