@@ -107,6 +107,23 @@ class CellFlow : public BackgroundFlow {
 
 /* ---------------------------------------------------------------------- */
 
+class CellOrRest : public CellFlow {
+ public:
+  using CellFlow::CellFlow;
+
+  void init() override
+  {
+    deforms = !modify->get_fix_by_style("^deform").empty();
+    if (deforms) CellFlow::init();
+  }
+  Flow at(int i) const override { return deforms ? CellFlow::at(i) : Flow{}; }
+
+ private:
+  bool deforms = false;
+};
+
+/* ---------------------------------------------------------------------- */
+
 class PlatesFlow : public BackgroundFlow {
  public:
   PlatesFlow(LAMMPS *lmp, const Words &words) :
@@ -287,4 +304,9 @@ const std::vector<BackgroundFlow::Style> &BackgroundFlow::styles()
 std::unique_ptr<BackgroundFlow> BackgroundFlow::at_rest(LAMMPS *lmp, Fix *fix)
 {
   return make<RestFlow>(lmp, {fix, nullptr, 0});
+}
+
+std::unique_ptr<BackgroundFlow> BackgroundFlow::of_cell(LAMMPS *lmp, Fix *fix)
+{
+  return make<CellOrRest>(lmp, {fix, nullptr, 0});
 }

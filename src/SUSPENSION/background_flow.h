@@ -37,6 +37,8 @@ class BackgroundFlow : protected Pointers {
   };
   static const std::vector<Style> &styles();
   static std::unique_ptr<BackgroundFlow> at_rest(LAMMPS *, Fix *);
+  static std::unique_ptr<BackgroundFlow> of_cell(LAMMPS *,
+                                                 Fix *);    // at rest if it keeps its shape
 
   virtual void init();                           // is it possible here? Anew in each run
   virtual void setup() {}                        // at the start of a run, once positions are known

@@ -35,15 +35,24 @@ void BackgroundFluid::init()
     if (other->rigid_flag)
       error->all(FLERR, "Fix {} cannot drag the rigid bodies of fix {}", style, other->id);
 
-  if (eta_of_pair && !Suspension_NS::viscosity_of_pair(lmp))
-    error->all(FLERR, "Fix {} eta pair: {}; give the viscosity instead of pair", style,
-               Suspension_NS::why_no_viscosity(lmp));
+  find_viscosity();
   eta.check(lmp, style.c_str(), "viscosity");
   rule->init();
   flow->init();
   if (isolated) check_isolated();
   own.start(fix->groupbit);
   exclude_plates();
+}
+
+/* ---------------------------------------------------------------------- */
+
+const double *BackgroundFluid::find_viscosity() const
+{
+  const double *found = eta_of_pair ? Suspension_NS::viscosity_of_pair(lmp) : &eta.value;
+  if (!found)
+    error->all(FLERR, "Fix {} {} pair: {}; give the viscosity instead of pair", style, eta_word,
+               Suspension_NS::why_no_viscosity(lmp));
+  return found;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -114,21 +123,23 @@ double BackgroundFluid::value_of(const std::string &variable) const
 
 void BackgroundFluid::new_step()
 {
+  evaluate();
+  if (isolated) count_partners();
+}
+
+void BackgroundFluid::evaluate()
+{
   evaluated = true;
   const bool variables = has_variables();
   if (variables) modify->clearstep_compute();
   eta.evaluate(lmp);
-  const double *of_pair = eta_of_pair ? Suspension_NS::viscosity_of_pair(lmp) : &eta.value;
-  if (!of_pair)
-    error->all(FLERR, "Fix {} eta pair: {}", style, Suspension_NS::why_no_viscosity(lmp));
-  viscosity = *of_pair;
-  if (!(viscosity >= 0.0))
-    error->all(FLERR, "Fix {} viscosity must be >= 0, but is {} at step {}", style, viscosity,
-               update->ntimestep);
+  viscosity = *find_viscosity();
+  if (!(viscosity >= 0.0) || (needs_viscosity && viscosity == 0.0))
+    error->all(FLERR, "Fix {} viscosity must be {} 0, but is {} at step {}", style,
+               needs_viscosity ? ">" : ">=", viscosity, update->ntimestep);
   flow->new_step();
   rule->new_step();
   if (variables) modify->addstep_compute(update->ntimestep + 1);
-  if (isolated) count_partners();
 }
 
 /* ----------------------------------------------------------------------

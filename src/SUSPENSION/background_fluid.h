@@ -23,18 +23,28 @@
 
 namespace LAMMPS_NS {
 
-// The fluid of fix drag/background and fix overdamped/sphere: its viscosity, its flow, and how it
-// drags a particle.
+// The fluid of fix drag/background, fix overdamped/sphere and fix hydro: its viscosity, its flow,
+// and how it drags a particle.
 class BackgroundFluid : protected Pointers {
  public:
   BackgroundFluid(LAMMPS *, class Fix *, int narg, char **arg);    // arguments from arg[3] on
 
+  // of a fix that has its own words: the flow is that of the cell
+  struct Choice {
+    Suspension_NS::InputNumber viscosity;    // if it is not that of the pair style
+    bool of_pair = true;
+    int isolated = 0;    // spheres with fewer partners only, 0: all
+  };
+  BackgroundFluid(LAMMPS *, Fix *, const Choice &);
+
   void init();        // makes the rules for particles of the fix anew
   void setup();       // at the start of a run, once neighbor lists exist
   void new_step();    // values of this step
+  void evaluate();    // those that need no pairs
 
   Fluid_NS::Flow flow_at(int i) const { return flow->at(i); }
   Fluid_NS::Drag drag(int i) const;
+  double viscosity_now() const { return viscosity; }
   bool only_isolated() const { return isolated > 0; }
   double hindrance() const { return rule->factor(); }
   ExclusiveParticles &exclusive() { return own; }
@@ -54,7 +64,8 @@ class BackgroundFluid : protected Pointers {
   std::string style, words;
   ExclusiveParticles own;            // not those of the plates, and what the fix adds
   Suspension_NS::InputNumber eta;    // viscosity, pressure*time
-  bool eta_of_pair;
+  bool eta_of_pair, needs_viscosity;
+  const char *eta_word;
   std::unique_ptr<BackgroundFlow> flow;
   std::unique_ptr<BackgroundHindrance> rule;
   Fluid_NS::Shape body;
@@ -69,6 +80,7 @@ class BackgroundFluid : protected Pointers {
   void parse_shape(int, char **);
   void parse_isolated(int, char **, int &);
   void exclude_plates();
+  const double *find_viscosity() const;
   void check_isolated() const;
   void count_partners();
   bool has_variables() const;

@@ -176,7 +176,9 @@ double ComputePowerPartition::compute_scalar()
     scalar -= (l.xx + l.yy + l.zz) * pore->cell_pressure() * Suspension_NS::cell_volume(domain);
   if (hydro)
     scalar += all.stresslets +
-        0.5 * (-l.yz * hydro->torque(0) + l.xz * hydro->torque(1) - l.xy * hydro->torque(2));
+        0.5 * (-l.yz * hydro->torque(0) + l.xz * hydro->torque(1) - l.xy * hydro->torque(2)) -
+        drift.x * hydro->force_of_fluid(0) - drift.y * hydro->force_of_fluid(1) -
+        drift.z * hydro->force_of_fluid(2);
   for (auto &fix : drags) {
     // the spin of the fluid is half the curl of L
     scalar += 0.5 *

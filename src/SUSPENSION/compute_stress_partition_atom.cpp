@@ -12,6 +12,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_hydro.h"
 #include "fix_pore_pressure.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
@@ -29,14 +30,15 @@ using namespace LAMMPS_NS;
 
 static constexpr int NUM_COMPONENTS = LubcontactTally::NUM_COMPONENTS;
 using Lubcontact_NS::NUM_CHANNELS;
-static constexpr int PORE = Lubcontact_NS::NUM_STRESS_ROWS, NUM_ROWS = PORE + 1;
+static constexpr int PORE = Lubcontact_NS::NUM_STRESS_ROWS, STRESSLET = PORE + 1,
+                     NUM_ROWS = STRESSLET + 1;
 static constexpr int COLUMNS = NUM_ROWS * NUM_COMPONENTS;    // one row after the other
 static constexpr int OF_GHOSTS = PORE * NUM_COMPONENTS;      // columns that ghosts have a part of
 
 /* ---------------------------------------------------------------------- */
 
 ComputeStressPartitionAtom::ComputeStressPartitionAtom(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), nmax(0), pore(nullptr)
+    Compute(lmp, narg, arg), nmax(0), pore(nullptr), hydro(nullptr)
 {
   if (narg > 3)
     error->all(FLERR, 3, "Unknown compute stress/partition/atom argument: {}; it takes none",
@@ -62,6 +64,7 @@ void ComputeStressPartitionAtom::init()
   pairs = PairLubcontact::require(lmp, std::string("Compute ") + style);
   check_rows(lmp, this);
   pore = FixPorePressure::find(lmp);
+  hydro = FixHydro::find(lmp);
 }
 
 /* ----------------------------------------------------------------------
@@ -83,6 +86,8 @@ void ComputeStressPartitionAtom::compute_peratom()
   const Lubcontact_NS::Vec3 drift = find_drift();
   const bool has_pores = pore && pore->acts();
   const std::vector<double> shares = has_pores ? pore->pressure_shares() : std::vector<double>();
+  std::vector<std::array<double, NUM_COMPONENTS>> stresslets;
+  if (hydro) stresslets = hydro->stresslets();
   for (int i = 0; i < atom->nlocal; i++) {
     double *parts = array_atom[i];
     double *inertial = parts + Lubcontact_NS::INERTIA_ROW * NUM_COMPONENTS;
@@ -100,6 +105,8 @@ void ComputeStressPartitionAtom::compute_peratom()
     }
     if (has_pores)
       for (int d = 0; d < 3; d++) parts[PORE * NUM_COMPONENTS + d] = shares[i];
+    if (hydro)
+      std::copy_n(stresslets[i].data(), NUM_COMPONENTS, parts + STRESSLET * NUM_COMPONENTS);
     for (int n = 0; n < COLUMNS; n++) parts[n] *= -force->nktv2p;
   }
 }

@@ -37,8 +37,9 @@ class ComputeStressPartitionAtom : public Compute {
   double memory_usage() override;
 
  protected:
-  int nmax;                                     // atoms there is room for
-  class FixPorePressure *pore;                  // or null
+  int nmax;                       // atoms there is room for
+  class FixPorePressure *pore;    // or null
+  class FixHydro *hydro;
   std::vector<class PairLubcontact *> pairs;    // several with pair_style hybrid
   void collect_parts();
   Lubcontact_NS::Vec3 find_drift() const;

@@ -14,6 +14,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
+#include "fix_hydro.h"
 #include "force.h"
 #include "lubcontact_inertia.h"
 #include "modify.h"
@@ -28,8 +29,8 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 DeformStress::DeformStress(LAMMPS *lmp, Fix *owner) :
-    Pointers(lmp), fix(owner), virial_id(std::string(owner->id) + "_virial"), pressure_now(0.0),
-    stress_now(0.0), fluid_now(0.0), drainage_now(0.0)
+    Pointers(lmp), fix(owner), virial_id(std::string(owner->id) + "_virial"), hydro(nullptr),
+    pressure_now(0.0), stress_now(0.0), fluid_now(0.0), drainage_now(0.0)
 {
   pair_virial = modify->add_compute(virial_id + " all pressure NULL pair");
 }
@@ -44,6 +45,7 @@ DeformStress::~DeformStress()
 void DeformStress::init()
 {
   pair_virial = modify->get_compute_by_id(virial_id);
+  hydro = FixHydro::find(lmp);
   if (!pair_virial) error->all(FLERR, "Compute {} of fix {} was deleted", virial_id, fix->style);
   Particles mine, all;
   const int massless = Suspension_NS::groups_without_inertia(lmp);
@@ -91,15 +93,15 @@ void DeformStress::take_particles(const Particles &now)
 }
 
 /* ----------------------------------------------------------------------
-   of the particles: pair forces, and inertia relative to the flow g. The compute only asks for the
-   virial in time; reducing it here together with the rest saves one reduction. Particles may come,
-   go and grow, so they are measured, too
+   of the particles: pair forces, stresslets, and inertia relative to the flow g. The compute only
+   asks for the virial in time; reducing it here together with the rest saves one reduction.
+   Particles may come, go and grow, so they are measured, too
 ------------------------------------------------------------------------- */
 
 void DeformStress::measure(Rheometer_NS::Flow flow, const Rheometer_NS::Gradient &g)
 {
   struct Sums {
-    double pairs[4] = {};    // xx yy zz xy
+    double pairs[4] = {};    // xx yy zz xy, with the stresslets
     Particles particles;
     Lubcontact_NS::Inertia inertia;
   } mine, all;
@@ -118,6 +120,11 @@ void DeformStress::measure(Rheometer_NS::Flow flow, const Rheometer_NS::Gradient
         {v[0] - g.xx * (x[0] - lo[0]) - g.xy * y, v[1] - g.yy * y, v[2] - g.zz * (x[2] - lo[2])});
   }
   if (force->pair) std::copy_n(force->pair->virial, 4, mine.pairs);
+  if (hydro) {
+    double nine[9] = {};
+    hydro->add_stresslets(nine);
+    for (int n = 0; n < 4; n++) mine.pairs[n] += nine[n];
+  }
   MPI_Allreduce(mine.pairs, all.pairs, sizeof(Sums) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
   take_particles(all.particles);
 

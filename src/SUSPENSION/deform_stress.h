@@ -59,6 +59,7 @@ class DeformStress : protected Pointers {
   Fix *fix;
   std::string virial_id;
   class Compute *pair_virial;
+  class FixHydro *hydro;    // or null
   Particles sums;
   Rheometer_NS::Material scales;
   Rheometer_NS::StrainMeans averages;

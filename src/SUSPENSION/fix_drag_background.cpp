@@ -135,15 +135,12 @@ void FixDragBackground::drag_all(bool full)
   power = 0.0;
   // damps what acts on v; returns the mean drag, and adds what it takes from the particle
   auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &fluid_v, double *f) {
-    const double x = coefficient * dt / mass;
-    const double mean = full ? Fluid_NS::mean_drag_full(x) : Fluid_NS::mean_drag(x);
     const Vec3 others = Lubcontact_NS::get_vector(f);
-    const Vec3 all = Fluid_NS::damped(mean, coefficient, others, v, fluid_v);
-    const Vec3 now = full ? v : v + (0.5 * dt / mass) * all;    // at the full step
-    Lubcontact_NS::put_vector(all, f);
-    const Vec3 mine = all - others;
-    power -= dot(mine, now);
-    sums[POWER] -= dot(mine, now - fluid_v);
+    const auto step = Fluid_NS::drag_step(full, dt, mass, coefficient, others, v, fluid_v);
+    Lubcontact_NS::put_vector(step.force, f);
+    const Vec3 mine = step.force - others;
+    power -= dot(mine, step.v_full);
+    sums[POWER] -= dot(mine, step.v_full - fluid_v);
     return mine;
   };
   for (int i = 0; i < atom->nlocal; i++) {

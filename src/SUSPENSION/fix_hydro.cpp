@@ -10,48 +10,65 @@
 #include "fix_hydro.h"
 
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "exclusive_particles.h"
-#include "fix_hydro_settings.h"
-#include "fluid_drag.h"
-#include "fluid_flow.h"
+#include "fix_hydro_grid.h"
+#include "fix_hydro_mean.h"
 #include "force.h"
-#include "hydro_hold.h"
+#include "hydro_tensors.h"
 #include "memory.h"
 #include "modify.h"
-#include "neighbor.h"
-#include "pore_cg.h"
-#include "restart_seal.h"
 #include "spin_inertia.h"
 #include "suspension_host.h"
+#include "suspension_input.h"
 #include "update.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <string>
 
 using namespace LAMMPS_NS;
-using Hydro_NS::NUMBERS;
 using Hydro_NS::Vec3;
 using Lubcontact_NS::get_vector;
 
-static constexpr int MOST_ITERATIONS = 500;
-static constexpr double FIRST = 0.1;    // tolerance of the first solution, over that of the others
+namespace {
 
-// of a particle
-static constexpr int LOAD = 0, BEFORE = NUMBERS, MOTION = 2 * NUMBERS, NUM_HELD = MOTION + 6;
+template <class L> std::unique_ptr<HydroLevel> make(LAMMPS *lmp, Fix *fix, int narg, char **arg)
+{
+  return std::make_unique<L>(lmp, fix, narg, arg);
+}
+
+struct Row {
+  const char *name;
+  std::unique_ptr<HydroLevel> (*make)(LAMMPS *, Fix *, int narg, char **arg);
+};
+
+constexpr Row LEVELS[] = {{"mean", make<HydroMean>}, {"grid", make<HydroGrid>}};
+
+}    // namespace
+
+/* ----------------------------------------------------------------------
+   fix ID group hydro level keyword value ...
+------------------------------------------------------------------------- */
+
+static std::unique_ptr<HydroLevel> make_level(LAMMPS *lmp, Fix *fix, int narg, char **arg)
+{
+  std::string names;
+  Suspension_NS::require_words(FLERR, lmp->error, "fix hydro", narg + 1,
+                               "fix ID group hydro level ...");
+  for (const Row &row : LEVELS) {
+    if (row.name == std::string(arg[3])) return row.make(lmp, fix, narg, arg);
+    names += (names.empty() ? "" : " or ") + std::string(row.name);
+  }
+  lmp->error->all(FLERR, 3, "Fix hydro level must be {}, but is {}", names, arg[3]);
+  return nullptr;
+}
 
 /* ---------------------------------------------------------------------- */
 
 FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), settings(new HydroSettings()), field(new HydroField(lmp, this)),
-    own(new ExclusiveParticles(lmp)), inertia(new SpinInertia()), list(nullptr), deforms(false),
-    held(nullptr), force_of_atom(nullptr), work(0.0), total{}, step_power(0.0)
+    Fix(lmp, narg, arg), level(make_level(lmp, this, narg, arg)), inertia(new SpinInertia()),
+    force_of_atom(nullptr), work(0.0), total{}, dragged(0.0), step_power(0.0)
 {
-  if (!HydroField::has_library()) error->all(FLERR, 2, "Fix hydro {}", HydroField::NO_LIBRARY);
-  parse(narg, arg);
   vector_flag = 1;
   size_vector = Output::NUM;
   extvector = 0;
@@ -60,20 +77,18 @@ FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
   size_peratom_cols = 6;
   peratom_freq = 1;
   dynamic_group_allow = 1;
-  restart_global = 1;
-  restart_peratom = 1;
-  comm_forward = comm_reverse = NUMBERS;
+  restart_global = restart_peratom = level->restarts();
+  comm_forward = comm_reverse = level->comm_size();
   FixHydro::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
-  atom->add_callback(Atom::RESTART);
+  if (restart_peratom) atom->add_callback(Atom::RESTART);
   for (int i = 0; i < atom->nlocal; i++) FixHydro::set_arrays(i);
 }
 
 FixHydro::~FixHydro()
 {
   atom->delete_callback(id, Atom::GROW);
-  atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(held);
+  if (restart_peratom) atom->delete_callback(id, Atom::RESTART);
   memory->destroy(force_of_atom);
 }
 
@@ -85,182 +100,41 @@ FixHydro *FixHydro::find(LAMMPS *lmp)
 
 int FixHydro::setmask()
 {
-  return FixConst::POST_FORCE;
+  return FixConst::PRE_FORCE | FixConst::POST_FORCE;
 }
 
-/* ----------------------------------------------------------------------
-   the width of the Gaussians is that of a run: particles that come later do not change it
-------------------------------------------------------------------------- */
-
-void FixHydro::measure_radius()
+void FixHydro::init()
 {
-  double mine[2] = {}, all[2];
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) {
-      if (!(atom->radius[i] > 0.0))
-        error->one(FLERR, "Fix hydro: atom {} has no radius; give the fix a group without it",
-                   atom->tag[i]);
-      mine[0] += atom->radius[i];
-      mine[1] += 1.0;
-    }
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
-  if (all[1] == 0.0) error->all(FLERR, "Fix hydro has no particles in its group");
-  const double now = all[0] / all[1];
-  if (!Suspension_NS::is_same_sum(state.radius, now)) state.radius = now;
+  level->init();
+  inertia->find(lmp);
 }
 
-/* ----------------------------------------------------------------------
-   a solution that is known, from a restart file or the last run, is held on
-------------------------------------------------------------------------- */
+void FixHydro::init_list(int /*id*/, NeighList *ptr)
+{
+  level->init_list(ptr);
+}
+
+/* ---------------------------------------------------------------------- */
+
+// before others ask for stresslets
+void FixHydro::setup_pre_force(int /*vflag*/)
+{
+  level->start();
+}
 
 void FixHydro::setup(int /*vflag*/)
 {
-  deforms = !modify->get_fix_by_style("^deform").empty();
-  const double viscosity = viscosity_now();
-  if (state.solutions == 0.0) solve(FIRST * settings->tolerance, viscosity);
+  level->set_up();
   act(true);
   step_power = 0.0;    // no step yet
 }
 
 void FixHydro::post_force(int /*vflag*/)
 {
-  const double viscosity = viscosity_now();
-  double e[5], square = 0.0;
-  find_strain(e);
-  for (const double value : e) square += value * value;
-  state.strain += sqrt(2.0 * square) * update->dt;
-  const double steps = static_cast<double>(update->ntimestep) - state.step;
-  const bool due = settings->every ? steps >= settings->every || steps < 0.0
-                                   : state.strain >= settings->strain * (1.0 - 1e-9);
-  if (due) solve(settings->tolerance, viscosity);
+  level->new_step();
   const double before = work;
   act(false);
   step_power = 0.5 * (before + work);
-}
-
-/* ----------------------------------------------------------------------
-   rate of strain of the cell, without a change of its volume
-------------------------------------------------------------------------- */
-
-void FixHydro::find_strain(double *five) const
-{
-  std::fill_n(five, 5, 0.0);
-  if (!deforms) return;
-  const double *rate = domain->h_rate, *inv = domain->h_inv;
-  Hydro_NS::put_strain({{rate[0] * inv[0], rate[0] * inv[5] + rate[5] * inv[1],
-                         rate[0] * inv[4] + rate[5] * inv[3] + rate[4] * inv[2]},
-                        {0.0, rate[1] * inv[1], rate[1] * inv[3] + rate[3] * inv[2]},
-                        {0.0, 0.0, rate[2] * inv[2]}},
-                       five);
-}
-
-static Fluid_NS::Flow flow_at(const Domain *domain, bool deforms, const double *x)
-{
-  if (!deforms) return {};
-  return Fluid_NS::cell_flow(domain->h_rate, domain->h_inv, get_vector(x),
-                             get_vector(domain->boxlo), get_vector(domain->h_ratelo));
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixHydro::viscosity_now()
-{
-  if (!settings->viscosity.is_number()) modify->clearstep_compute();
-  settings->viscosity.evaluate(lmp);
-  if (!settings->viscosity.is_number()) modify->addstep_compute(update->ntimestep + 1);
-  const double *eta = settings->viscosity_of_pair ? Suspension_NS::viscosity_of_pair(lmp)
-                                                  : &settings->viscosity.value;
-  if (!eta || !(*eta > 0.0))
-    error->all(FLERR, "Fix hydro viscosity must be > 0, but is {} at step {}", eta ? *eta : 0.0,
-               update->ntimestep);
-  return *eta;
-}
-
-/* ----------------------------------------------------------------------
-   M (F, T, S) = (v', w', -E). Lengths in widths, so that all numbers have the same unit
-------------------------------------------------------------------------- */
-
-void FixHydro::solve(double tolerance, double viscosity)
-{
-  state.viscosity = viscosity;
-  neighbor->build_one(list);
-  field->prepare(settings->field, groupbit, state.radius, viscosity, list);
-
-  const int nlocal = atom->nlocal;
-  const std::size_t size = static_cast<std::size_t>(nlocal) * NUMBERS;
-  const double length = field->length();
-  double e[5], volume = 0.0;
-  find_strain(e);
-  std::vector<double> right(size, 0.0), x(size, 0.0), scaled(size);
-  for (int i = 0; i < nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    own->check(atom->mask[i]);
-    volume += Suspension_NS::particle_volume(domain, atom->radius[i]);
-    const Fluid_NS::Flow flow = flow_at(domain, deforms, atom->x[i]);
-    double *h = held[i], *b = &right[i * NUMBERS];
-    Lubcontact_NS::put_vector(get_vector(atom->v[i]) - flow.velocity, h + MOTION);
-    Lubcontact_NS::put_vector(get_vector(atom->omega[i]) - flow.spin, h + MOTION + 3);
-    for (int n = 0; n < 3; n++) b[n] = h[MOTION + n];
-    for (int n = 3; n < 6; n++) b[n] = length * h[MOTION + n];
-    for (int n = 6; n < NUMBERS; n++) b[n] = -length * e[n - 6];
-    // from the last two solutions
-    const double again = state.solutions > 0.0 ? 1.0 : 0.0,
-                 slope = state.solutions > 1.0 ? 1.0 : 0.0;
-    for (int n = 0; n < NUMBERS; n++)
-      x[i * NUMBERS + n] =
-          (again * h[LOAD + n] + slope * (h[LOAD + n] - h[BEFORE + n])) / (n < 3 ? 1.0 : length);
-  }
-  const auto scale = [&](const std::vector<double> &from, std::vector<double> &to) {
-    to.resize(size);
-    for (std::size_t n = 0; n < size; n++) to[n] = from[n] * (n % NUMBERS < 3 ? 1.0 : length);
-  };
-  const auto apply = [&](const std::vector<double> &loads, std::vector<double> &motions) {
-    motions.resize(size);
-    scale(loads, scaled);
-    field->apply(scaled.data(), motions.data());
-    scale(motions, motions);
-  };
-  const auto precondition = [&](const std::vector<double> &r, std::vector<double> &z) {
-    z.assign(size, 0.0);
-    for (int i = 0; i < nlocal; i++) {
-      if (!(atom->mask[i] & groupbit)) continue;
-      const Hydro_NS::Self &self = field->self(i);
-      for (int n = 0; n < NUMBERS; n++) {
-        const double turn = n < 6 ? self.rotation : self.strain;
-        z[i * NUMBERS + n] =
-            r[i * NUMBERS + n] / (n < 3 ? self.translation : turn * length * length);
-      }
-    }
-  };
-  const auto product = [this](const std::vector<double> &a, const std::vector<double> &b) {
-    const double mine = Pore_NS::scalar_product(a, b);
-    double all;
-    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-    return all;
-  };
-  const auto found = Pore_NS::solve_by_products(apply, precondition, product, right, tolerance,
-                                                MOST_ITERATIONS, x);
-  state.iterations = found.iterations;
-  state.residual = found.residual;
-  if (!(found.residual <= tolerance) && comm->me == 0)
-    error->warning(FLERR, "Fix hydro: residual {:.3g} after {} iterations at step {}",
-                   found.residual, found.iterations, update->ntimestep);
-
-  scale(x, x);
-  for (int i = 0; i < nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    std::copy_n(held[i] + LOAD, NUMBERS, held[i] + BEFORE);
-    std::copy_n(&x[i * NUMBERS], NUMBERS, held[i] + LOAD);
-  }
-  double all;
-  MPI_Allreduce(&volume, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  state.phi = all / Suspension_NS::cell_volume(domain);
-  const Hydro_NS::Hold automatic = Hydro_NS::default_hold(state.phi);
-  state.translation = settings->hold[0] > 0.0 ? settings->hold[0] : automatic.translation;
-  state.rotation = settings->hold[1] > 0.0 ? settings->hold[1] : automatic.rotation;
-  state.solutions += 1.0;
-  state.step = static_cast<double>(update->ntimestep);
-  state.strain = 0.0;
 }
 
 /* ----------------------------------------------------------------------
@@ -270,40 +144,44 @@ void FixHydro::solve(double tolerance, double viscosity)
 void FixHydro::act(bool full)
 {
   const double dt = update->dt * force->ftm2v;
-  double e[5];
-  find_strain(e);
-  work = 0.0;
+  double e[5], s[5];
+  level->find_strain(e);
+  work = dragged = 0.0;
   std::fill_n(total, 6, 0.0);
   // damps what acts on v; the mean force of the fluid in this step
-  auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &flow,
-                  const Vec3 &relative, const Vec3 &load, double *f) {
-    const double x = coefficient * dt / mass;
-    const double mean = full ? Fluid_NS::mean_drag_full(x) : Fluid_NS::mean_drag(x);
+  auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &target,
+                  const Vec3 &flow, double *f) {
     const Vec3 others = get_vector(f);
-    const Vec3 target = Hydro_NS::held_target(coefficient, flow, relative, load);
-    const Vec3 all = Fluid_NS::damped(mean, coefficient, others, v, target);
-    const Vec3 now = full ? v : v + (0.5 * dt / mass) * all;    // at the full step
-    Lubcontact_NS::put_vector(all, f);
-    work -= dot(all - others, now - flow);
-    return all - others;
+    const auto step = Fluid_NS::drag_step(full, dt, mass, coefficient, others, v, target);
+    Lubcontact_NS::put_vector(step.force, f);
+    work -= dot(step.force - others, step.v_full - flow);
+    return step.force - others;
   };
-  const Hydro_NS::Hold hold{state.translation, state.rotation};
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    own->check(atom->mask[i]);
-    const double *h = held[i];
-    const Fluid_NS::Flow flow = flow_at(domain, deforms, atom->x[i]);
-    const Fluid_NS::Drag drag = Hydro_NS::held_drag(hold, state.viscosity, atom->radius[i]);
-    const Vec3 f = damp(drag.translation, atom->rmass[i], get_vector(atom->v[i]), flow.velocity,
-                        get_vector(h + MOTION), get_vector(h + LOAD), atom->f[i]);
-    const Vec3 t = damp(drag.rotation, inertia->of(atom, i), get_vector(atom->omega[i]), flow.spin,
-                        get_vector(h + MOTION + 3), get_vector(h + LOAD + 3), atom->torque[i]);
-    for (int n = 0; n < 5; n++) work -= h[LOAD + 6 + n] * e[n];
+    level->background().exclusive().check(atom->mask[i]);
+    level->stresslet(i, e, s);
+    for (int k = 0; k < 5; k++) work -= s[k] * e[k];
+    std::fill_n(force_of_atom[i], 6, 0.0);
+    const HydroLevel::Pull p = level->pull(i);
+    if (p.drag.translation == 0.0) continue;
+    const Vec3 f = damp(p.drag.translation, atom->rmass[i], get_vector(atom->v[i]),
+                        p.target.velocity, p.flow.velocity, atom->f[i]);
+    const Vec3 t = damp(p.drag.rotation, inertia->of(atom, i), get_vector(atom->omega[i]),
+                        p.target.spin, p.flow.spin, atom->torque[i]);
     Lubcontact_NS::add_vector(f, total);
     Lubcontact_NS::add_vector(t, total + 3);
     Lubcontact_NS::put_vector(f, force_of_atom[i]);
     Lubcontact_NS::put_vector(t, force_of_atom[i] + 3);
+    dragged += 1.0;
   }
+}
+
+// xx yy zz xy xz yz yx zx zy
+static std::array<double, 9> components(const double *five)
+{
+  const Hydro_NS::Tensor s = Hydro_NS::get_strain(five);
+  return {s.x.x, s.y.y, s.z.z, s.x.y, s.x.z, s.y.z, s.x.y, s.x.z, s.y.z};
 }
 
 /* ----------------------------------------------------------------------
@@ -312,65 +190,87 @@ void FixHydro::act(bool full)
 
 double FixHydro::compute_vector(int n)
 {
-  if (n == Output::ITERATIONS) return state.iterations;
-  if (n == Output::RESIDUAL) return state.residual;
-  if (n == Output::SOLUTIONS) return state.solutions;
-  if (n == Output::PHI) return state.phi;
-  double mine[5] = {}, all[5];
-  int number = 1;
-  if (n == Output::HEAT)
-    mine[0] = work;
-  else if (n >= Output::FORCE)
-    mine[0] = total[n - Output::FORCE];
-  else {
-    number = 5;
-    for (int i = 0; i < atom->nlocal; i++)
-      if (atom->mask[i] & groupbit)
-        for (int k = 0; k < 5; k++) mine[k] += held[i][LOAD + 6 + k];
+  if (n == Output::ITERATIONS) return level->iterations();
+  if (n == Output::RESIDUAL) return level->residual();
+  if (n == Output::SOLUTIONS) return level->solutions();
+  if (n == Output::PHI) return level->phi();
+  if (n == Output::DRAGGED) return sum_of_ranks(dragged);
+  if (n == Output::HEAT) return sum_of_ranks(work);
+  if (n >= Output::FORCE) return sum_of_ranks(total[n - Output::FORCE]);
+  double mine[5], all[5];
+  sum_stresslets(mine);
+  MPI_Allreduce(mine, all, 5, MPI_DOUBLE, MPI_SUM, world);
+  return -force->nktv2p * components(all)[n - Output::STRESS] / Suspension_NS::cell_volume(domain);
+}
+
+double FixHydro::sum_of_ranks(double mine) const
+{
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixHydro::sum_stresslets(double *five) const
+{
+  double e[5], s[5];
+  level->find_strain(e);
+  std::fill_n(five, 5, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    level->stresslet(i, e, s);
+    for (int k = 0; k < 5; k++) five[k] += s[k];
   }
-  MPI_Allreduce(mine, all, number, MPI_DOUBLE, MPI_SUM, world);
-  if (number == 1) return all[0];
-  const Hydro_NS::Tensor s = Hydro_NS::get_strain(all);
-  const double six[6] = {s.x.x, s.y.y, s.z.z, s.x.y, s.x.z, s.y.z};
-  return -force->nktv2p * six[n - Output::STRESS] / Suspension_NS::cell_volume(domain);
 }
 
 void FixHydro::add_stresslets(double *nine) const
 {
-  double sum[5] = {};
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit)
-      for (int k = 0; k < 5; k++) sum[k] += held[i][LOAD + 6 + k];
-  const Hydro_NS::Tensor s = Hydro_NS::get_strain(sum);
-  const double parts[9] = {s.x.x, s.y.y, s.z.z, s.x.y, s.x.z, s.y.z, s.x.y, s.x.z, s.y.z};
+  double sum[5];
+  sum_stresslets(sum);
+  const auto parts = components(sum);
   for (int n = 0; n < 9; n++) nine[n] += parts[n];
+}
+
+std::vector<std::array<double, 9>> FixHydro::stresslets() const
+{
+  std::vector<std::array<double, 9>> of_atom(atom->nlocal);
+  double e[5], s[5];
+  level->find_strain(e);
+  for (int i = 0; i < atom->nlocal; i++) {
+    of_atom[i].fill(0.0);
+    if (!(atom->mask[i] & groupbit)) continue;
+    level->stresslet(i, e, s);
+    of_atom[i] = components(s);
+  }
+  return of_atom;
 }
 
 double FixHydro::stresslet_power() const
 {
-  double e[5], sum = 0.0;
-  find_strain(e);
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit)
-      for (int k = 0; k < 5; k++) sum -= held[i][LOAD + 6 + k] * e[k];
+  double e[5], five[5], sum = 0.0;
+  level->find_strain(e);
+  sum_stresslets(five);
+  for (int k = 0; k < 5; k++) sum -= five[k] * e[k];
   return sum;
+}
+
+double FixHydro::force_of_fluid(int d)
+{
+  return sum_of_ranks(total[d]);
 }
 
 double FixHydro::torque(int d)
 {
-  double all;
-  MPI_Allreduce(&total[3 + d], &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  return sum_of_ranks(total[3 + d]);
 }
 
 double FixHydro::mean_power()
 {
-  double all;
-  MPI_Allreduce(&step_power, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  return sum_of_ranks(step_power);
 }
 
 double FixHydro::memory_usage()
 {
-  return field->memory_usage() + (NUM_HELD + 6.0) * atom->nmax * sizeof(double);
+  return level->memory_usage() + 6.0 * atom->nmax * sizeof(double);
 }

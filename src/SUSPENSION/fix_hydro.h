@@ -18,12 +18,13 @@ FixStyle(hydro,FixHydro);
 
 #include "fix.h"
 
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace LAMMPS_NS {
 
-class HydroField;
-struct HydroSettings;
+class HydroLevel;
 
 class FixHydro : public Fix {
  public:
@@ -32,6 +33,7 @@ class FixHydro : public Fix {
   int setmask() override;
   void init() override;
   void init_list(int, class NeighList *) override;
+  void setup_pre_force(int) override;
   void setup(int) override;
   void post_force(int) override;
   double compute_vector(int) override;
@@ -56,53 +58,36 @@ class FixHydro : public Fix {
 
   static FixHydro *find(class LAMMPS *);    // null without one
 
-  // for computes; the first two of this rank
-  void add_stresslets(double *nine) const;    // xx yy zz xy xz yz yx zx zy
-  double stresslet_power() const;             // what they take from the flow
-  double torque(int d);                       // of the fluid on all particles
-  double mean_power();                        // dissipated, mean of the last step
+  // stresslets on the fluid, xx yy zz xy xz yz yx zx zy: of this rank, and of each of its particles
+  void add_stresslets(double *nine) const;
+  std::vector<std::array<double, 9>> stresslets() const;
+
+  // for computes
+  double stresslet_power() const;    // of this rank: what they take from the flow
+  double force_of_fluid(int d);      // on all particles
+  double torque(int d);
+  double mean_power();    // dissipated, mean of the last step
 
  protected:
   // f_ID[1] and so on: see the manual
   // clang-format off
   struct Output {
     enum { ITERATIONS, RESIDUAL, STRESS, HEAT = STRESS + 6, FORCE, SOLUTIONS = FORCE + 3, PHI,
-           NUM };
+           DRAGGED, NUM };
   };
   // clang-format on
 
  private:
-  std::unique_ptr<HydroSettings> settings;
-  std::unique_ptr<HydroField> field;
-  std::unique_ptr<class ExclusiveParticles> own;
+  std::unique_ptr<HydroLevel> level;
   std::unique_ptr<class SpinInertia> inertia;
-  class NeighList *list;
-  bool deforms;              // the cell
-  double **held;             // of each particle: load, the one before, velocity and spin
   double **force_of_atom;    // for output: force and torque of the fluid
-  double work, total[6];     // of this rank: heat, force and torque of the fluid
-  double step_power;         // of this rank, mean of the last step
+  // of this rank: heat, force and torque of the fluid, number of particles that it drags
+  double work, total[6], dragged;
+  double step_power;    // of this rank, mean of the last step
 
-  // numbers only: a restart file holds it
-  struct State {
-    double solutions = 0.0;    // so far
-    double step = 0.0;         // of the last one, and the strain since then
-    double strain = 0.0;
-    double radius = 0.0;                                                     // mean, in this run
-    double phi = 0.0, viscosity = 0.0, translation = 1.0, rotation = 2.0;    // of the last one
-    double iterations = 0.0, residual = 0.0;
-  } state;
-
-  void parse(int, char **);
-  int parse_keyword(int, int, char **);
-  void check_cell() const;
-  void check_others();
-  void check_order() const;
-  void measure_radius();
-  void find_strain(double *) const;
-  double viscosity_now();
-  void solve(double tolerance, double viscosity);
   void act(bool full);
+  void sum_stresslets(double *five) const;
+  double sum_of_ranks(double) const;
 };
 
 }    // namespace LAMMPS_NS

@@ -11,15 +11,12 @@
 #define LMP_FIX_HYDRO_SETTINGS_H
 
 #include "fix_hydro_field.h"
-#include "suspension_input.h"
 
 namespace LAMMPS_NS {
 
-// What the arguments of fix hydro say.
+// What the arguments of fix hydro grid say.
 struct HydroSettings {
   HydroField::Settings field;
-  Suspension_NS::InputNumber viscosity;    // if it is not that of the pair style
-  bool viscosity_of_pair = true;
   double strain = 0.01;    // between two solutions
   int every = 0;           // steps between them instead; 0: by strain
   double tolerance = 0.01;

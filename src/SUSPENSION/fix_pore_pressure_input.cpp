@@ -297,7 +297,7 @@ void FixPorePressure::check_others() const
   if (modify->get_fix_by_style("^pore/pressure").size() > 1)
     error->all(FLERR, "More than one fix pore/pressure: the pressure of the pores is only one");
   if (settings->even) return;    // which pushes no particle
-  for (const char *other : {"^drag/background", "^overdamped/sphere"})
+  for (const char *other : {"^drag/background", "^overdamped/sphere", "^hydro"})
     for (const auto &fix : modify->get_fix_by_style(other))
       if (settings->coupling != PoreSolver::Coupling::OFF)
         error->all(FLERR,

@@ -8,9 +8,9 @@
 ------------------------------------------------------------------------- */
 
 // Drag on a particle alone in a fluid, and the motion that it gives, with inertia and without.
-// Sphere: G.G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851). Disc, per length of its axis: Stokes'
-// law over the diameter, M. Trulsson, B. Andreotti, P. Claudin, Phys. Rev. Lett. 109, 118305
-// (2012).
+// Sphere: G.G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851); its stresslet: A. Einstein, Ann. Phys.
+// 19, 289 (1906), corrected in 34, 591 (1911). Disc, per length of its axis: Stokes' law over the
+// diameter, M. Trulsson, B. Andreotti, P. Claudin, Phys. Rev. Lett. 109, 118305 (2012).
 
 #ifndef LMP_FLUID_DRAG_H
 #define LMP_FLUID_DRAG_H
@@ -38,6 +38,13 @@ LUBCONTACT_FN inline Drag drag(Shape shape, double viscosity, double radius)
   return {6.0 * PI * viscosity * radius, 8.0 * PI * viscosity * radius * radius * radius};
 }
 
+// Stresslet of a sphere on the fluid over the rate of strain E of the flow, without its trace: the
+// stress of a volume V grows by 20/3 pi viscosity radius^3 E/V.
+LUBCONTACT_FN inline double straining(double viscosity, double radius)
+{
+  return -20.0 / 3.0 * PI * viscosity * radius * radius * radius;
+}
+
 // With inertia: m dv/dt = F + c (v_fluid - v). From one half step to the next, F and v_fluid being
 // those of the middle, the solution is
 //   v1 = u + (v0 - u) exp(-x),   u = v_fluid + F/c,   x = c dt/m,
@@ -62,6 +69,20 @@ LUBCONTACT_FN inline Vec3 damped(double mean, double coefficient, const Vec3 &fo
                                  const Vec3 &v_fluid)
 {
   return mean * (force + coefficient * (v_fluid - v));
+}
+
+// What acts on a particle in such a step, and its velocity at the full step. v is that of the last
+// half step, or with full that of the full step.
+struct DragStep {
+  Vec3 force, v_full;
+};
+
+LUBCONTACT_FN inline DragStep drag_step(bool full, double dt, double mass, double coefficient,
+                                        const Vec3 &force, const Vec3 &v, const Vec3 &v_fluid)
+{
+  const double x = coefficient * dt / mass;
+  const Vec3 all = damped(full ? mean_drag_full(x) : mean_drag(x), coefficient, force, v, v_fluid);
+  return {all, full ? v : v + (0.5 * dt / mass) * all};
 }
 
 // Without inertia.

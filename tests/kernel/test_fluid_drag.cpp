@@ -26,6 +26,30 @@ TEST(Drag, OfADiscIsThatOfASphereOverTheDiameter)
   }
 }
 
+TEST(Drag, TheStressletGivesEinsteinsViscosity)
+{
+  // n spheres in a volume: a stress of -n S over 2 E is a viscosity of 2.5 phi eta
+  const double n = 7.0, volume = 1000.0, radius = 1.3, eta = 0.6;
+  const double phi = n * 9.2027720799157 / volume;    // 4/3 pi 1.3^3
+  EXPECT_NEAR(-n * straining(eta, radius) / volume / 2.0, 2.5 * phi * eta, 1e-13);
+}
+
+TEST(Drag, OneStepIsThatOfVelocityVerlet)
+{
+  // a step from the half step before it, and from the full step, which is the mean of both
+  const double mass = 0.3, c = 2.0, dt = 0.4;
+  const Vec3 force{1.0, -2.0, 0.5}, v{0.2, 0.7, -0.4}, fluid{-1.0, 0.3, 0.1};
+  const DragStep step = drag_step(false, dt, mass, c, force, v, fluid);
+  const double decay = std::exp(-c * dt / mass);
+  const Vec3 end = fluid + (1.0 / c) * force;
+  const Vec3 next = end + decay * (v - end);
+  EXPECT_NEAR(norm(v + (dt / mass) * step.force - next), 0.0, 1e-14);
+  EXPECT_NEAR(norm(step.v_full - 0.5 * (v + next)), 0.0, 1e-14);
+  const DragStep same = drag_step(true, dt, mass, c, force, step.v_full, fluid);
+  EXPECT_NEAR(norm(same.force - step.force), 0.0, 1e-13);
+  EXPECT_NEAR(norm(same.v_full - step.v_full), 0.0, 0.0);
+}
+
 // velocity Verlet as fix nve/sphere does it, in one dimension, under a force that depends on x
 struct Particle {
   double x = 0.0, v = 0.0, f = 0.0;

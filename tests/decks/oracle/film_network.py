@@ -27,7 +27,7 @@ class Network:
     g: float = 1e3
     kt: float = 5e2
     reach: float = 0.5    # of the films over a
-    drag: bool = False    # of Stokes on each particle, towards the flow, in place of its inertia
+    drag: float = 0       # of Stokes on particles with fewer partners, towards the flow, in place of inertia
 
     def resistances(self, u, a):
         """Of squeeze, shear, roll and twist (Chevremont; Frankel & Acrivos; Jeffrey & Onishi)."""
@@ -55,18 +55,26 @@ class Network:
             for j in np.flatnonzero(u < self.reach * a):
                 yield i, j, d[j], d[j] / np.linalg.norm(d[j]), u[j], a[j], radius[i] + u[j] / 2, radius[j] + u[j] / 2
 
+    def partners(self):
+        number = np.zeros(len(self.state["x"]), dtype=int)
+        for i, j, *_ in self.pairs():
+            number[[i, j]] += 1
+        return number
+
     def stress(self, omega=0.0):
         """sigma_xy of squeeze and shear films over the rate, complex."""
         count = len(self.state["x"])
+        floating = np.eye(6 * count, dtype=complex) * 1e-10 * self.eta    # holds what floats freely
         if self.drag:
             radius = self.state["radius"]
             coefficients = np.stack([6 * np.pi * self.eta * radius, 8 * np.pi * self.eta * radius**3], 1)
-            A = np.diag(np.repeat(coefficients, 3, axis=1).ravel()).astype(complex)
+            coefficients[self.partners() >= self.drag] = 0
+            A = floating + np.diag(np.repeat(coefficients, 3, axis=1).ravel())
         elif omega > 0:
             inertia = np.stack([self.state["mass"], 0.4 * self.state["mass"] * self.state["radius"]**2], 1)
             A = np.diag(1j * omega * np.repeat(inertia, 3, axis=1).ravel())
         else:
-            A = np.eye(6 * count, dtype=complex) * 1e-10 * self.eta    # holds what floats freely
+            A = floating
         b, found = np.zeros(6 * count, complex), []
         for i, j, r, n, u, a, si, sj in self.pairs():
             zn, zt, zr, zw = self.impedances(u, a, omega)
