@@ -22,6 +22,7 @@ LEVELS = [("none", "0.5"), ("mean", "0.5"), ("grid", "0.5"), ("grid", "1"), ("gr
 LABEL = {("none", "0.5"): "films alone, to 0.5", ("mean", "0.5"): "mean, films to 0.5", ("grid", "0.5"): "grid, residual films to 0.5",
          ("grid", "1"): "grid, to 1", ("grid", "2"): "grid, to 2"}
 STYLE = {("none", "0.5"): "ks--", ("mean", "0.5"): "v--", ("grid", "0.5"): "o-", ("grid", "1"): "D-", ("grid", "2"): "^-"}
+ROUGHNESS = 0.01
 PARTS = ["contact_n", "contact_t", "film_n", "film_t", "stresslet", "syy", "cpu"]
 
 
@@ -29,6 +30,8 @@ def merged(rows):
     """(level, range, friction) -> phi -> mean, error and parts over the seeds."""
     found = {}
     for row in rows:
+        if float(row["roughness"]) != ROUGHNESS:
+            continue
         found.setdefault((row["level"], row["range"], row["friction"]), {}).setdefault(float(row["phi"]), []).append(row)
     for of_phi in found.values():
         for phi, seeds in of_phi.items():
@@ -87,7 +90,7 @@ def draw(found):
             of_phi = found.get((*key, friction))
             if of_phi:
                 x = np.array(sorted(of_phi))
-                ax.errorbar(x, [of_phi[p]["eta_r"] for p in x], [of_phi[p]["error"] for p in x], fmt=STYLE[key], ms=4, lw=0.8,
+                ax.errorbar(x, [of_phi[p]["eta_r"] for p in x], np.nan_to_num([of_phi[p]["error"] for p in x]), fmt=STYLE[key], ms=4, lw=0.8,
                             label=LABEL[key])
         ax.set(yscale="log", xlabel=r"$\phi$", ylabel=r"$\eta_r$", title=f"friction {friction}")
     axes[0][0].legend(frameon=False, fontsize=7)
