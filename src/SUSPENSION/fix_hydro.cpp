@@ -144,9 +144,8 @@ void FixHydro::post_force(int /*vflag*/)
 void FixHydro::act(bool full)
 {
   const double dt = update->dt * force->ftm2v;
-  double e[5], s[5];
-  level->find_strain(e);
-  work = dragged = 0.0;
+  work = level->stresslet_heat();
+  dragged = 0.0;
   std::fill_n(total, 6, 0.0);
   // damps what acts on v; the mean force of the fluid in this step
   auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &target,
@@ -157,14 +156,12 @@ void FixHydro::act(bool full)
     work -= dot(step.force - others, step.v_full - flow);
     return step.force - others;
   };
+  HydroLevel::Pull p;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     level->background().exclusive().check(atom->mask[i]);
-    level->stresslet(i, e, s);
-    for (int k = 0; k < 5; k++) work -= s[k] * e[k];
     std::fill_n(force_of_atom[i], 6, 0.0);
-    const HydroLevel::Pull p = level->pull(i);
-    if (p.drag.translation == 0.0) continue;
+    if (!level->pull(i, p)) continue;
     const Vec3 f = damp(p.drag.translation, atom->rmass[i], get_vector(atom->v[i]),
                         p.target.velocity, p.flow.velocity, atom->f[i]);
     const Vec3 t = damp(p.drag.rotation, inertia->of(atom, i), get_vector(atom->omega[i]),
@@ -214,12 +211,11 @@ double FixHydro::sum_of_ranks(double mine) const
 
 void FixHydro::sum_stresslets(double *five) const
 {
-  double e[5], s[5];
-  level->find_strain(e);
+  double s[5];
   std::fill_n(five, 5, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    level->stresslet(i, e, s);
+    level->stresslet(i, s);
     for (int k = 0; k < 5; k++) five[k] += s[k];
   }
 }
@@ -235,12 +231,11 @@ void FixHydro::add_stresslets(double *nine) const
 std::vector<std::array<double, 9>> FixHydro::stresslets() const
 {
   std::vector<std::array<double, 9>> of_atom(atom->nlocal);
-  double e[5], s[5];
-  level->find_strain(e);
+  double s[5];
   for (int i = 0; i < atom->nlocal; i++) {
     of_atom[i].fill(0.0);
     if (!(atom->mask[i] & groupbit)) continue;
-    level->stresslet(i, e, s);
+    level->stresslet(i, s);
     of_atom[i] = components(s);
   }
   return of_atom;

@@ -31,7 +31,7 @@ static constexpr const char *READERS[] = {"setforce", "freeze", "store/force"};
 /* ---------------------------------------------------------------------- */
 
 HydroLevel::HydroLevel(LAMMPS *lmp, Fix *owner, int numbers) :
-    Pointers(lmp), columns(numbers), held(nullptr), fix(owner)
+    Pointers(lmp), columns(numbers), held(nullptr), fix(owner), strain()
 {
 }
 

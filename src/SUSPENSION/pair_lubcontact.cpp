@@ -259,21 +259,19 @@ void PairLubcontact::visit_pairs(const Visitor &visit) const
 
 /* ----------------------------------------------------------------------
    sum over the partners of each atom of the stiffest mode of a pair, particles turning as easily as
-   spin says, or of each if that is given. Returns the number of pairs in range on this rank
+   spin says. Returns the number of pairs in range on this rank
 ------------------------------------------------------------------------- */
 
-double PairLubcontact::sum_over_partners(double spin, double each)
+double PairLubcontact::sum_over_partners(double spin)
 {
   of_partners.assign(atom->nlocal + atom->nghost, 0.0);
   const bool roll = given->films & Lubcontact_NS::ROLL, twist = given->films & Lubcontact_NS::TWIST;
   double number = 0.0;
   pairs->each([&](const LubcontactPairs::Acting &p) {
-    Lubcontact_NS::PairStiffness k{each, each};
-    if (each == 0.0) {
-      const auto &c = pairs->range().of(atom->type[p.i], atom->type[p.j]);
-      k = Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, pairs->geometry(p.i, p.j, p.a),
-                                        atom->radius[p.i], atom->radius[p.j], roll, twist);
-    }
+    const auto &c = pairs->range().of(atom->type[p.i], atom->type[p.j]);
+    const Lubcontact_NS::PairStiffness k =
+        Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, pairs->geometry(p.i, p.j, p.a),
+                                      atom->radius[p.i], atom->radius[p.j], roll, twist);
     of_partners[p.i] += k.i;
     of_partners[p.j] += k.j;
     number += p.weight;
@@ -284,13 +282,15 @@ double PairLubcontact::sum_over_partners(double spin, double each)
 
 void PairLubcontact::count_partners(std::vector<double> &sum)
 {
-  sum_over_partners(0.0, 1.0);
+  of_partners.assign(atom->nlocal + atom->nghost, 0.0);
+  pairs->add_partners(of_partners);
+  if (force->newton_pair) comm->reverse_comm(this);
   sum.swap(of_partners);
 }
 
 void PairLubcontact::sum_stiffness(double spin, std::vector<double> &sum)
 {
-  sum_over_partners(spin, 0.0);
+  sum_over_partners(spin);
   sum.swap(of_partners);
 }
 
@@ -313,13 +313,13 @@ void PairLubcontact::setup()
   lubcontact_checks::check_box(lmp, longest);
   update_viscosity();
   pairs->find_faces(*given);
-  const double number = sum_over_partners(SPIN_OF_INERTIA, 0.0);
+  const double number = sum_over_partners(SPIN_OF_INERTIA);
   std::vector<double> stiffness = of_partners;
   const auto everyone = all(lmp);    // a particle feels the springs of every sub-style
   for (PairLubcontact *other : everyone) {
     if (other == this) continue;
     other->pairs->find_faces(*other->given);    // its own set-up may come later
-    other->sum_over_partners(SPIN_OF_INERTIA, 0.0);
+    other->sum_over_partners(SPIN_OF_INERTIA);
     for (int i = 0; i < atom->nlocal; i++) stiffness[i] += other->of_partners[i];
   }
   dt_limit = lubcontact_checks::step_limit(lmp, stiffness);
