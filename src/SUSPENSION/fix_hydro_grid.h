@@ -26,6 +26,7 @@ class HydroGrid : public HydroLevel {
   HydroGrid(LAMMPS *, Fix *, int narg, char **arg);
   ~HydroGrid() override;
   void init() override;
+  bool leaves_residual() const override { return true; }
   void init_list(NeighList *ptr) override { list = ptr; }
   void start() override;
   void new_step() override;

@@ -2,6 +2,7 @@
 
 #include "hydro_case.h"
 #include "hydro_precondition.h"
+#include "hydro_spline.h"
 
 #ifdef SUSPENSION_FFTW
 
