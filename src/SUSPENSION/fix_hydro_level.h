@@ -44,6 +44,8 @@ class HydroLevel : protected Pointers {
     Fluid_NS::Flow target, flow;
   };
   virtual bool pull(int i, Pull &) const = 0;
+  // does it leave the rest of pairs to residual films?
+  virtual bool leaves_residual() const { return false; }
   virtual void stresslet(int i, double *five) const = 0;    // on the fluid, as in hydro_tensors.h
   virtual double stresslet_heat() const = 0;                // in the last step, of this rank
 
@@ -94,6 +96,7 @@ class HydroLevel : protected Pointers {
 
  private:
   void check_alone() const;
+  void check_films() const;
   void check_others();
   void check_order() const;
 };
