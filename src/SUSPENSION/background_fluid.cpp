@@ -35,11 +35,13 @@ void BackgroundFluid::init()
     if (other->rigid_flag)
       error->all(FLERR, "Fix {} cannot drag the rigid bodies of fix {}", style, other->id);
 
-  find_viscosity();
-  eta.check(lmp, style.c_str(), "viscosity");
-  rule->init();
-  flow->init();
-  if (isolated) check_isolated();
+  if (!elsewhere) {
+    find_viscosity();
+    eta.check(lmp, style.c_str(), "viscosity");
+    rule->init();
+    flow->init();
+    if (isolated) check_isolated();
+  }
   own.start(fix->groupbit);
   exclude_plates();
 }

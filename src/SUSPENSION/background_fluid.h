@@ -33,7 +33,8 @@ class BackgroundFluid : protected Pointers {
   struct Choice {
     Suspension_NS::InputNumber viscosity;    // if it is not that of the pair style
     bool of_pair = true;
-    int isolated = 0;    // spheres with fewer partners only, 0: all
+    int isolated = 0;          // spheres with fewer partners only, 0: all
+    bool elsewhere = false;    // another fix has the fluid: no values here
   };
   BackgroundFluid(LAMMPS *, Fix *, const Choice &);
 
@@ -45,6 +46,7 @@ class BackgroundFluid : protected Pointers {
   Fluid_NS::Flow flow_at(int i) const { return flow->at(i); }
   Fluid_NS::Drag drag(int i) const;
   double viscosity_now() const { return viscosity; }
+  bool is_elsewhere() const { return elsewhere; }
   bool only_isolated() const { return isolated > 0; }
   double hindrance() const { return rule->factor(); }
   ExclusiveParticles &exclusive() { return own; }
@@ -64,7 +66,7 @@ class BackgroundFluid : protected Pointers {
   std::string style, words;
   ExclusiveParticles own;            // not those of the plates, and what the fix adds
   Suspension_NS::InputNumber eta;    // viscosity, pressure*time
-  bool eta_of_pair, needs_viscosity;
+  bool eta_of_pair, needs_viscosity, elsewhere;
   const char *eta_word;
   std::unique_ptr<BackgroundFlow> flow;
   std::unique_ptr<BackgroundHindrance> rule;

@@ -67,7 +67,7 @@ static std::unique_ptr<HydroLevel> make_level(LAMMPS *lmp, Fix *fix, int narg, c
 
 FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), level(make_level(lmp, this, narg, arg)), inertia(new SpinInertia()),
-    force_of_atom(nullptr), work(0.0), total{}, dragged(0.0), step_power(0.0)
+    force_of_atom(nullptr), work(0.0), total{}, dragged(0.0), massless(0), step_power(0.0)
 {
   vector_flag = 1;
   size_vector = Output::NUM;
@@ -107,6 +107,7 @@ void FixHydro::init()
 {
   level->init();
   inertia->find(lmp);
+  massless = Suspension_NS::groups_without_inertia(lmp);
 }
 
 void FixHydro::init_list(int /*id*/, NeighList *ptr)
@@ -147,10 +148,15 @@ void FixHydro::act(bool full)
   work = level->stresslet_heat();
   dragged = 0.0;
   std::fill_n(total, 6, 0.0);
-  // damps what acts on v; the mean force of the fluid in this step
-  auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &target,
+  // damps what acts on v; the mean force of the fluid in this step. Without inertia it balances
+  // all others, which move the particle in the next step
+  auto damp = [&](bool moves, double coefficient, double mass, const Vec3 &v, const Vec3 &target,
                   const Vec3 &flow, double *f) {
     const Vec3 others = get_vector(f);
+    if (!moves) {
+      work += dot(others, v - flow);
+      return -1.0 * others;
+    }
     const auto step = Fluid_NS::drag_step(full, dt, mass, coefficient, others, v, target);
     Lubcontact_NS::put_vector(step.force, f);
     work -= dot(step.force - others, step.v_full - flow);
@@ -162,9 +168,10 @@ void FixHydro::act(bool full)
     level->background().exclusive().check(atom->mask[i]);
     std::fill_n(force_of_atom[i], 6, 0.0);
     if (!level->pull(i, p)) continue;
-    const Vec3 f = damp(p.drag.translation, atom->rmass[i], get_vector(atom->v[i]),
+    const bool moves = !(atom->mask[i] & massless);
+    const Vec3 f = damp(moves, p.drag.translation, atom->rmass[i], get_vector(atom->v[i]),
                         p.target.velocity, p.flow.velocity, atom->f[i]);
-    const Vec3 t = damp(p.drag.rotation, inertia->of(atom, i), get_vector(atom->omega[i]),
+    const Vec3 t = damp(moves, p.drag.rotation, inertia->of(atom, i), get_vector(atom->omega[i]),
                         p.target.spin, p.flow.spin, atom->torque[i]);
     Lubcontact_NS::add_vector(f, total);
     Lubcontact_NS::add_vector(t, total + 3);

@@ -57,6 +57,7 @@ class FixHydro : public Fix {
   void unpack_reverse_comm(int, int *, double *) override;
 
   static FixHydro *find(class LAMMPS *);    // null without one
+  const HydroLevel &fluid() const { return *level; }
 
   // stresslets on the fluid, xx yy zz xy xz yz yx zx zy: of this rank, and of each of its particles
   void add_stresslets(double *nine) const;
@@ -83,6 +84,7 @@ class FixHydro : public Fix {
   double **force_of_atom;    // for output: force and torque of the fluid
   // of this rank: heat, force and torque of the fluid, number of particles that it drags
   double work, total[6], dragged;
+  int massless;         // bits of groups that have no inertia
   double step_power;    // of this rank, mean of the last step
 
   void act(bool full);

@@ -31,6 +31,7 @@ class HydroGrid : public HydroLevel {
   void start() override;
   void new_step() override;
   bool pull(int i, Pull &) const override;
+  bool drags_all() const override { return true; }
   void stresslet(int i, double *five) const override;
   double stresslet_heat() const override;
 

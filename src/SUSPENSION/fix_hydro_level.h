@@ -44,6 +44,7 @@ class HydroLevel : protected Pointers {
     Fluid_NS::Flow target, flow;
   };
   virtual bool pull(int i, Pull &) const = 0;
+  virtual bool drags_all() const { return false; }
   // does it leave the rest of pairs to residual films?
   virtual bool leaves_residual() const { return false; }
   virtual void stresslet(int i, double *five) const = 0;    // on the fluid, as in hydro_tensors.h

@@ -91,33 +91,6 @@ void LubcontactPairs::each(const Entries &visit) const
   }
 }
 
-/* ----------------------------------------------------------------------
-   the loop of the forces has marked the pairs that act, if they have a history
-------------------------------------------------------------------------- */
-
-void LubcontactPairs::add_partners(std::vector<double> &sum) const
-{
-  if (!memory_of_pairs.size()) {
-    each([&sum](const Acting &pair) {
-      sum[pair.i] += 1.0;
-      sum[pair.j] += 1.0;
-    });
-    return;
-  }
-  for (int ii = 0; ii < neighbors->inum; ii++) {
-    const int i = neighbors->ilist[ii];
-    const int *entries = neighbors->firstneigh[i], *known = memory_of_pairs.known(i);
-    const int number = neighbors->numneigh[i];
-    double mine = 0.0;
-    for (int n = 0; n < number; n++) {
-      if (!known[n] || (entries[n] >> SBBITS & 3 && !acts_by_special(entries[n]))) continue;
-      mine += 1.0;
-      sum[entries[n] & NEIGHMASK] += 1.0;
-    }
-    sum[i] += mine;
-  }
-}
-
 PairGeometry LubcontactPairs::geometry(int i, int j, double a) const
 {
   return Lubcontact_NS::pair_geometry(Lubcontact_NS::get_vector(atom->x[i]),

@@ -55,9 +55,6 @@ class LubcontactPairs : protected Pointers {
   void each(const Entries &) const;
   double share(int j) const;
 
-  // adds 1 to both particles of each of them, once the forces of the step are known
-  void add_partners(std::vector<double> &sum) const;
-
   // The same with the forces of this step; changes nothing.
   using Visitor = std::function<void(int, int, double, const Lubcontact_NS::PairGeometry &,
                                      const Lubcontact_NS::Load &)>;

@@ -298,10 +298,32 @@ double PairLubcontact::sum_over_partners(double spin)
   return number;
 }
 
+/* ----------------------------------------------------------------------
+   the loop of the forces has marked the pairs that act, if they have a history
+------------------------------------------------------------------------- */
+
 void PairLubcontact::count_partners(std::vector<double> &sum)
 {
   of_partners.assign(atom->nlocal + atom->nghost, 0.0);
-  pairs->add_partners(of_partners);
+  const NeighList *list = pairs->list();
+  LubcontactHistory &history = pairs->history();
+  if (!history.size())
+    pairs->each([&](const LubcontactPairs::Acting &p) {
+      of_partners[p.i] += 1.0;
+      of_partners[p.j] += 1.0;
+    });
+  else
+    for (int ii = 0; ii < list->inum; ii++) {
+      const int i = list->ilist[ii], number = list->numneigh[i];
+      const int *entries = list->firstneigh[i], *known = history.known(i);
+      double mine = 0.0;
+      for (int n = 0; n < number; n++) {
+        if (!known[n] || force->special_lj[entries[n] >> SBBITS & 3] == 0.0) continue;
+        mine += 1.0;
+        of_partners[entries[n] & NEIGHMASK] += 1.0;
+      }
+      of_partners[i] += mine;
+    }
   if (force->newton_pair) comm->reverse_comm(this);
   sum.swap(of_partners);
 }
