@@ -16,8 +16,10 @@
 #include "error.h"
 #include "fix.h"
 #include "hydro_tensors.h"
+#include "lubcontact_law.h"
 #include "memory.h"
 #include "modify.h"
+#include "pair_lubcontact.h"
 #include "suspension_host.h"
 
 #include <algorithm>
@@ -82,6 +84,7 @@ void HydroLevel::init()
 {
   check_alone();
   fluid->init();
+  check_films();
   check_others();
   check_order();
 }
@@ -100,6 +103,27 @@ void HydroLevel::check_alone() const
                "Fix hydro knows no walls: the plates of fix {} would be spheres in a periodic "
                "fluid; use fix deform/rheometer",
                plates[0]->id);
+}
+
+/* ----------------------------------------------------------------------
+   what the films and the fluid share would act twice, or not at all
+------------------------------------------------------------------------- */
+
+void HydroLevel::check_films() const
+{
+  for (const PairLubcontact *pair : PairLubcontact::all(lmp)) {
+    const Lubcontact_NS::Settings &s = pair->settings();
+    const bool residual = s.range == Lubcontact_NS::Range::RESIDUAL;
+    if (!s.films || residual == leaves_residual()) continue;
+    if (residual)
+      error->all(FLERR,
+                 "Fix hydro mean has no far field that would leave films of range residual: use "
+                 "range cut, or fix hydro grid");
+    error->all(FLERR,
+               "Fix hydro grid has a part of the films of pair_style lubcontact ... {}, which "
+               "would act twice: use range residual, or switch the films off",
+               Lubcontact_NS::RANGE_NAME[static_cast<int>(s.range)]);
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -151,8 +175,8 @@ void HydroLevel::check_order() const
 
 void HydroLevel::find_strain(double *five) const
 {
-  const auto l = Suspension_NS::cell_gradient(domain);
-  Hydro_NS::put_strain({{l.xx, l.xy, l.xz}, {0.0, l.yy, l.yz}, {0.0, 0.0, l.zz}}, five);
+  const auto e = Suspension_NS::cell_strain(domain);
+  Hydro_NS::put_strain({{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}, five);
 }
 
 double HydroLevel::volume_of_group() const

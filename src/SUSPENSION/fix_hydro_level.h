@@ -44,6 +44,8 @@ class HydroLevel : protected Pointers {
     Fluid_NS::Flow target, flow;
   };
   virtual Pull pull(int i) const = 0;
+  // does it leave the rest of pairs to residual films?
+  virtual bool leaves_residual() const { return false; }
   // on the fluid, in the strain of find_strain()
   virtual void stresslet(int i, const double *strain, double *five) const = 0;
   // rate of strain of the cell, without its trace, as in hydro_tensors.h
@@ -92,6 +94,7 @@ class HydroLevel : protected Pointers {
 
  private:
   void check_alone() const;
+  void check_films() const;
   void check_others();
   void check_order() const;
 };

@@ -120,6 +120,7 @@ template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
     for (double &usual : b.usual) usual = 0.0;
     return;
   }
+  if constexpr (E::residual) return step_lanes<E>(b, f, dt);
   // the constant of CUT saves three divisions
   if (E::squeeze && f.shift == 0.0)
     step_lanes<E>(

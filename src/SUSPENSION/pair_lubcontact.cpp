@@ -13,6 +13,7 @@
 #include "atom_vec.h"
 #include "citeme.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "input.h"
@@ -135,13 +136,23 @@ void PairLubcontact::compute(int eflag, int vflag)
 
   // the virial instead of what ev_tally_xyz() sums: the same bits, whatever else this step asks for
   double cell_virial[6];
-  LubcontactStep step{
-      *pairs,           *sums, *film, given->euler, vflag_global ? cell_virial : nullptr, nullptr,
-      eflag_either != 0};
+  LubcontactStep step{*pairs,
+                      *sums,
+                      *film,
+                      given->euler,
+                      vflag_global ? cell_virial : nullptr,
+                      nullptr,
+                      nullptr,
+                      eflag_either != 0};
   if (eflag_either || vflag_atom)
     step.tally_atoms = [this](int i, int j, double energy, const Vec3 &f, const Vec3 &d) {
       ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, f.x, f.y, f.z, d.x, d.y,
                    d.z);
+    };
+  if (film->residual && vflag_atom)
+    step.tally_stresslet = [this](int i, int j, const Lubcontact_NS::SymmetricTensor &s) {
+      v_tally_tensor(i, j, atom->nlocal, force->newton_pair, -s.xx, -s.yy, -s.zz, -s.xy, -s.xz,
+                     -s.yz);
     };
   instance->loop(lmp, step);
   if (vflag_global) std::copy_n(cell_virial, 6, virial);
@@ -159,7 +170,9 @@ void PairLubcontact::init_style()
                "Pair style lubcontact needs velocities of ghost atoms; add: comm_modify vel yes");
   lubcontact_checks::check_factors(lmp);
   check_variable();
-  *instance = find_instance(present_effects(coeffs->law(*given, false)));
+  lubcontact_checks::check_residual(lmp, *given);
+  const bool residual = given->range == Lubcontact_NS::Range::RESIDUAL;
+  *instance = find_instance(present_effects(coeffs->law(*given, false)), residual);
   const int size = instance->history.size;
   if (comm->style == Comm::TILED && force->newton_pair && size)
     error->all(FLERR,
@@ -271,8 +284,14 @@ double PairLubcontact::sum_over_partners(double spin, double each)
     Lubcontact_NS::PairStiffness k{each, each};
     if (each == 0.0) {
       const auto &c = pairs->range().of(atom->type[p.i], atom->type[p.j]);
-      k = Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, pairs->geometry(p.i, p.j, p.a),
-                                        atom->radius[p.i], atom->radius[p.j], roll, twist);
+      const PairGeometry g = pairs->geometry(p.i, p.j, p.a);
+      k = Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, g, atom->radius[p.i],
+                                        atom->radius[p.j], roll, twist);
+      if (film->residual)
+        k = Lubcontact_NS::larger_stiffness(
+            k,
+            Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, Lubcontact_NS::with_lever(g),
+                                          atom->radius[p.i], atom->radius[p.j], roll, twist));
     }
     of_partners[p.i] += k.i;
     of_partners[p.j] += k.j;
@@ -333,7 +352,10 @@ void PairLubcontact::setup()
     lubcontact_checks::check_hybrid(lmp, this, acting);
     lubcontact_checks::check_coefficients(lmp, acting, !viscosity_variable.empty());
     lubcontact_checks::check_motion(lmp, instance->effects);
-    if (particles.number > 0.0) lubcontact_checks::check_repulsion(lmp, acting, particles.smallest);
+    if (particles.number > 0.0) {
+      lubcontact_checks::check_repulsion(lmp, acting, particles.smallest);
+      lubcontact_checks::check_sizes(lmp, *given, particles.smallest, particles.largest);
+    }
     double sum;
     MPI_Allreduce(&number, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
     report_lubcontact(lmp, acting, viscosity_variable,
@@ -382,6 +404,7 @@ void PairLubcontact::update_viscosity()
                  viscosity_variable, given->viscosity);
   }
   *film = film_of(*given);
+  if (film->residual) film->strain = Suspension_NS::cell_strain(domain);
 }
 
 double PairLubcontact::viscosity() const

@@ -55,6 +55,20 @@ TEST(Batch, IsThePairByItselfBitForBit)
   }
 }
 
+TEST(Batch, OfResidualFilmsToo)
+{
+  Film f = make_film(1.0, 0.5, Range::RESIDUAL, 0.6);
+  f.strain = {0.3, -0.1, -0.2, 0.5, 0.2, -0.4};
+  Random rnd(5);
+  for (const unsigned mask : {27u, 31u, 63u, 95u, 155u, 255u})
+    with_residual_effects(covering_residual(mask), [&](auto effects) {
+      int usual = 0;
+      for (int trial = 0; trial < 200; trial++)
+        usual += compare<decltype(effects)>(rnd, f, rnd.log_uniform(1e-5, 1e-2));
+      EXPECT_GT(usual, 1000) << mask;
+    });
+}
+
 TEST(Batch, SaysWhichStepsAreNotUsual)
 {
   using E = Effects<SQUEEZE>;
