@@ -95,11 +95,11 @@ std::string BackgroundFluid::settings_text() const
   std::string text;
   for (const std::string &word : utils::split_words(words))
     text += (text.empty() ? "" : " ") +
-        (utils::strmatch(word, "^v_") ? fmt::format("{}", value_of(word.substr(2))) : word);
+        (utils::strmatch(word, "^v_") ? value_of(word.substr(2)) : word);
   return text;
 }
 
-double BackgroundFluid::value_of(const std::string &variable) const
+std::string BackgroundFluid::value_of(const std::string &variable) const
 {
   if (!evaluated)
     error->all(
@@ -118,7 +118,7 @@ double BackgroundFluid::value_of(const std::string &variable) const
   const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto &number) {
     return number.variable == variable;
   });
-  return found->value;
+  return fmt::format("{}", found->value);
 }
 
 /* ---------------------------------------------------------------------- */

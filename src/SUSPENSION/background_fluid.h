@@ -35,6 +35,7 @@ class BackgroundFluid : protected Pointers {
     bool of_pair = true;
     int isolated = 0;          // spheres with fewer partners only, 0: all
     bool elsewhere = false;    // another fix has the fluid: no values here
+    std::string typed;         // its words then
   };
   BackgroundFluid(LAMMPS *, Fix *, const Choice &);
 
@@ -60,6 +61,7 @@ class BackgroundFluid : protected Pointers {
   // the arguments, as typed or with the present values of variables
   const std::string &typed() const { return words; }
   std::string settings_text() const;
+  std::string value_of(const std::string &variable) const;
 
  private:
   Fix *fix;
@@ -86,7 +88,6 @@ class BackgroundFluid : protected Pointers {
   void check_isolated() const;
   void count_partners();
   bool has_variables() const;
-  double value_of(const std::string &) const;
 };
 
 }    // namespace LAMMPS_NS

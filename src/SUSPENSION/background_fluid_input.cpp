@@ -55,9 +55,9 @@ BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, int narg, char **arg) 
 }
 
 BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, const Choice &choice) :
-    Pointers(lmp), fix(owner), style(owner->style), own(lmp), eta(choice.viscosity),
-    eta_of_pair(choice.of_pair), needs_viscosity(true), elsewhere(choice.elsewhere),
-    eta_word("viscosity"), flow(BackgroundFlow::of_cell(lmp, owner)),
+    Pointers(lmp), fix(owner), style(owner->style), words(choice.typed), own(lmp),
+    eta(choice.viscosity), eta_of_pair(choice.of_pair), needs_viscosity(true),
+    elsewhere(choice.elsewhere), eta_word("viscosity"), flow(BackgroundFlow::of_cell(lmp, owner)),
     rule(BackgroundHindrance::none(lmp, owner)), body(Fluid_NS::Shape::SPHERE),
     isolated(choice.isolated), evaluated(false), viscosity(0.0)
 {

@@ -31,6 +31,7 @@ FixBackgroundFluid::FixBackgroundFluid(LAMMPS *lmp, int narg, char **arg, const 
                  elsewhere, arg[4]);
     BackgroundFluid::Choice choice;
     choice.elsewhere = true;
+    choice.typed = elsewhere;
     fluid = std::make_unique<BackgroundFluid>(lmp, this, choice);
   } else {
     fluid = std::make_unique<BackgroundFluid>(lmp, this, narg, arg);

@@ -66,8 +66,10 @@ static std::unique_ptr<HydroLevel> make_level(LAMMPS *lmp, Fix *fix, int narg, c
 /* ---------------------------------------------------------------------- */
 
 FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), level(make_level(lmp, this, narg, arg)), inertia(new SpinInertia()),
-    force_of_atom(nullptr), work(0.0), total{}, dragged(0.0), massless(0), step_power(0.0)
+    Fix(lmp, narg, arg), level(make_level(lmp, this, narg, arg)),
+    words(utils::join_words(std::vector<std::string>(arg + 3, arg + narg), " ")),
+    inertia(new SpinInertia()), force_of_atom(nullptr), work(0.0), total{}, dragged(0.0),
+    massless(0), step_power(0.0)
 {
   vector_flag = 1;
   size_vector = Output::NUM;
@@ -90,6 +92,15 @@ FixHydro::~FixHydro()
   atom->delete_callback(id, Atom::GROW);
   if (restart_peratom) atom->delete_callback(id, Atom::RESTART);
   memory->destroy(force_of_atom);
+}
+
+std::string FixHydro::settings_text() const
+{
+  std::string text;
+  for (const std::string &word : utils::split_words(words))
+    text += (text.empty() ? "" : " ") +
+        (utils::strmatch(word, "^v_") ? level->background().value_of(word.substr(2)) : word);
+  return text;
 }
 
 FixHydro *FixHydro::find(LAMMPS *lmp)

@@ -20,6 +20,7 @@ FixStyle(hydro,FixHydro);
 
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -59,6 +60,10 @@ class FixHydro : public Fix {
   static FixHydro *find(class LAMMPS *);    // null without one
   const HydroLevel &fluid() const { return *level; }
 
+  // the arguments, as typed or with the present values of variables
+  const std::string &typed() const { return words; }
+  std::string settings_text() const;
+
   // stresslets on the fluid, xx yy zz xy xz yz yx zx zy: of this rank, and of each of its particles
   void add_stresslets(double *nine) const;
   std::vector<std::array<double, 9>> stresslets() const;
@@ -80,6 +85,7 @@ class FixHydro : public Fix {
 
  private:
   std::unique_ptr<HydroLevel> level;
+  std::string words;
   std::unique_ptr<class SpinInertia> inertia;
   double **force_of_atom;    // for output: force and torque of the fluid
   // of this rank: heat, force and torque of the fluid, number of particles that it drags
