@@ -125,7 +125,7 @@ deck.expect("the lines of the level are in the script", level in shear and "pair
 for name, script in (("mean", shear), ("grid", shear.replace(level, far).replace("pair_style      lubcontact 1.0 cut 0.5", films))):
     table = deck.Run(run(f"hydro_{name}", shortened(script, 200), N=100), 0).thermo()
     deck.expect(f"hydro {name}: the far field has a part of the stress", 0.4 < table["v_far"][-1] < 3, f"{table['v_far'][-1]:.3g}")
-table = deck.Run(run("settling", shortened(settling, 40), N=60), 0).thermo()
+table = deck.Run(run("settling", shortened(settling, 100), N=60), 0).thermo()
 deck.expect_close("it settles slower than alone", table["v_settling"][-1], 0.55, atol=0.1)
 
 # Howto_pore_pressure: a layer that begins to shear sucks; and the periodic piece of it
