@@ -13,6 +13,7 @@
 #include "error.h"
 #include "fix.h"
 #include "fix_hydro_held.h"
+#include "fix_hydro_precondition.h"
 #include "fix_hydro_settings.h"
 #include "hydro_hold.h"
 #include "restart_seal.h"
@@ -34,7 +35,7 @@ static constexpr double FIRST = 0.1;    // tolerance of the first solution, over
 
 HydroGrid::HydroGrid(LAMMPS *lmp, Fix *owner, int narg, char **arg) :
     HydroLevel(lmp, owner, NUM_HELD), settings(new HydroSettings()),
-    field(new HydroField(lmp, owner)), list(nullptr)
+    field(new HydroField(lmp, owner)), preconditioner(new HydroPreconditioner(lmp)), list(nullptr)
 {
   if (!HydroField::has_library()) error->all(FLERR, 2, "Fix hydro {}", HydroField::NO_LIBRARY);
   parse_all(narg, arg);
@@ -150,5 +151,5 @@ void HydroGrid::unpack_motions(int n, const int *atoms, const double *buf)
 
 double HydroGrid::memory_usage() const
 {
-  return HydroLevel::memory_usage() + field->memory_usage();
+  return HydroLevel::memory_usage() + field->memory_usage() + preconditioner->memory_usage();
 }

@@ -11,10 +11,12 @@
 #define LMP_FIX_HYDRO_GRID_H
 
 #include "fix_hydro_level.h"
+#include "pore_cg.h"
 
 namespace LAMMPS_NS {
 
 class HydroField;
+class HydroPreconditioner;
 struct HydroSettings;
 
 // All spheres move each other through the fluid, by its mobility on a grid: solved from time to
@@ -50,6 +52,7 @@ class HydroGrid : public HydroLevel {
  private:
   std::unique_ptr<HydroSettings> settings;
   std::unique_ptr<HydroField> field;
+  std::unique_ptr<HydroPreconditioner> preconditioner;
   NeighList *list;
 
   // numbers only: a restart file holds it
@@ -68,6 +71,8 @@ class HydroGrid : public HydroLevel {
   void check_pores() const;
   void measure_radius();
   void solve(double tolerance);
+  Pore_NS::Convergence find_loads(const std::vector<double> &right, double tolerance,
+                                  std::vector<double> &x);
 };
 
 }    // namespace LAMMPS_NS

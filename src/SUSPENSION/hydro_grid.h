@@ -257,16 +257,26 @@ inline Vec3 lattice_place(const Lattice &lattice, const Vec3 &point)
   return {(r.x - y * c.xy - z * c.xz) / c.xprd * lattice.nx, y * lattice.ny, z * lattice.nz};
 }
 
+// of the lattice coordinates
+struct LatticeGradients {
+  Vec3 x, y, z;
+};
+
+inline LatticeGradients lattice_gradients(const Lattice &lattice)
+{
+  const Cell &c = lattice.cell;
+  const Vec3 x{1.0 / c.xprd, -c.xy / (c.xprd * c.yprd),
+               (c.xy * c.yz / c.yprd - c.xz) / (c.xprd * c.zprd)};
+  const Vec3 y{0.0, 1.0 / c.yprd, -c.yz / (c.yprd * c.zprd)}, z{0.0, 0.0, 1.0 / c.zprd};
+  return {static_cast<double>(lattice.nx) * x, static_cast<double>(lattice.ny) * y,
+          static_cast<double>(lattice.nz) * z};
+}
+
 // half widths of a stencil in lattice coordinates
 inline Vec3 lattice_reach(const Lattice &lattice)
 {
-  const Cell &c = lattice.cell;
-  // gradients of the lamda coordinates
-  const Vec3 y{0.0, 1.0 / c.yprd, -c.yz / (c.yprd * c.zprd)};
-  const Vec3 x{1.0 / c.xprd, -c.xy / (c.xprd * c.yprd),
-               (c.xy * c.yz / c.yprd - c.xz) / (c.xprd * c.zprd)};
-  return {lattice.reach * norm(x) * lattice.nx, lattice.reach * norm(y) * lattice.ny,
-          lattice.reach / c.zprd * lattice.nz};
+  const LatticeGradients g = lattice_gradients(lattice);
+  return {lattice.reach * norm(g.x), lattice.reach * norm(g.y), lattice.reach * norm(g.z)};
 }
 
 inline Brick brick_for(const Lattice &lattice, const Vec3 &low, const Vec3 &high)

@@ -194,6 +194,9 @@ class GridMobility {
     for (const double a : all.radius) bodies.push_back(make_body(a, use.width));
     for (int r = 0; r < use.ranks; r++) {
       solvers.push_back(std::make_unique<StokesSolver>(points, r, use.ranks));
+      solvers.back()->set_response(c, [eta](const WaveVector &wave) {
+        return stokes_factors(wave, eta);
+      });
       Vec3 low{1e300, 1e300, 1e300}, high = -1.0 * low;
       for (std::size_t i = r; i < all.size(); i += use.ranks) {
         const Vec3 g = lattice_place(lattice, all.x[i]);
@@ -307,7 +310,7 @@ class GridMobility {
   {
     for (const auto &solver : solvers) solver->to_waves();
     exchange_of_ranks(solvers, &StokesSolver::of_forces);
-    for (const auto &solver : solvers) solver->respond(lattice.cell, viscosity);
+    for (const auto &solver : solvers) solver->respond();
     exchange_of_ranks(solvers, &StokesSolver::of_waves);
     for (const auto &solver : solvers) solver->to_velocities();
   }
