@@ -95,7 +95,9 @@ std::string SceneAdviser::deck_lines(const std::vector<Verdict> &verdicts) const
     return "No input lines: what may be left out was measured in shear; define the flow before "
            "this command, or give rate g\n";
 
-  const unsigned idle = Scene_NS::with_answer(verdicts, Scene_NS::NOT_NEEDED);
+  unsigned idle = Scene_NS::with_answer(verdicts, Scene_NS::NOT_NEEDED);
+  if (law.settings.range == Lubcontact_NS::Range::RESIDUAL)    // films and far field are one
+    idle &= ~Lubcontact_NS::all_films();
   const unsigned films = Lubcontact_NS::all_films() & ~law.settings.films &
       Scene_NS::with_answer(verdicts, Scene_NS::NEEDED);
   Lubcontact_NS::Law use = without(law, idle);
