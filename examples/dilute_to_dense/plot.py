@@ -55,7 +55,7 @@ def draw_parts(ax, rows):
         ax.fill_between(x, bottom, bottom + part / total, color=color, lw=0, label=label)
         bottom = bottom + part / total
     ax.set(xlabel=r"$\phi$", ylabel=r"share of $\eta_r - 1$ with fix hydro grid", xlim=(x[0], x[-1]) if len(x) > 1 else None, ylim=(0, 1))
-    rheology.legend(ax, loc="lower left")
+    rheology.legend(ax, loc="center left", bbox_to_anchor=(1, 0.5))
 
 
 def main():
@@ -64,7 +64,7 @@ def main():
     parser.add_argument("--table", default="study.csv")
     args = parser.parse_args()
     rows = [row for row in cases.read(args.table) if float(row["friction"]) == float(args.friction)]
-    fig, axes = plt.subplots(1, 2, figsize=(10, 4.4))
+    fig, axes = plt.subplots(1, 2, figsize=(11, 4.4), width_ratios=[1.25, 1])
     draw_viscosity(axes[0], rows, float(args.friction))
     draw_parts(axes[1], rows)
     fig.tight_layout()
