@@ -10,18 +10,16 @@
 #ifndef LMP_FIX_HYDRO_FIELD_H
 #define LMP_FIX_HYDRO_FIELD_H
 
-#include "hydro_layers.h"
-#include "hydro_wide.h"
+#include "fix_hydro_waves.h"
+#include "hydro_grid.h"
 #include "pointers.h"
 
-#include <memory>
 #include <vector>
 
 namespace LAMMPS_NS {
 
 class Fix;
 class NeighList;
-struct HydroTransforms;
 
 // The mobility of the particles of a group, on the ranks that have them: loads on the fluid to
 // velocities. Each rank spreads its own particles to a brick of the grid and solves for some layers
@@ -40,8 +38,7 @@ class HydroField : protected Pointers {
   static bool has_library();
   static const char *const NO_LIBRARY;
 
-  double length() const { return width; }    // of prepare()
-  int points(int d) const { return grid[d]; }
+  const std::vector<int> &particles() const { return members; }    // of this rank, in prepare()
 
   // the present particles and cell; pairs from a half list with Newton's law that reaches as far
   void prepare(const Settings &, int groupbit, double mean_radius, double viscosity, NeighList *);
@@ -49,7 +46,7 @@ class HydroField : protected Pointers {
   // for the particles of this rank: NUMBERS each, those of others 0
   void apply(const double *loads, double *motions);
 
-  // what a load alone does to its own sphere: the diagonal without neighbors
+  // what a load alone does to its own sphere
   const Hydro_NS::Self &self(int i) const { return of_sphere[i]; }
 
   // communication of the fix
@@ -68,22 +65,16 @@ class HydroField : protected Pointers {
 
   Fix *fix;
   double width, eta;
-  Hydro_NS::Points grid;
-  Hydro_NS::Lattice lattice;
-  std::unique_ptr<HydroTransforms> transforms;
+  HydroWaves waves;
+  Hydro_NS::Stencils stencils;           // of members
   std::vector<int> members;              // of this rank
   std::vector<Hydro_NS::Body> bodies;    // of all particles and ghosts
   std::vector<Hydro_NS::Self> of_sphere, missing;
   std::vector<Pair> pairs;
-  std::vector<Hydro_NS::Brick> bricks;    // of all ranks
-  std::vector<double> load, motion;       // of ghosts, too
-  std::vector<double> field, out, in;     // of the brick; exchanged
-  std::vector<int> sent, sent_from, received, received_from;
+  std::vector<double> load, motion;    // of ghosts, too
 
-  void make_grid(const Settings &);
   void find_members(int groupbit);
   void find_pairs(double cut, int groupbit, NeighList *);
-  void find_brick();
   void add_far();
   void add_near();
 };

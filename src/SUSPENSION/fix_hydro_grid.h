@@ -11,10 +11,12 @@
 #define LMP_FIX_HYDRO_GRID_H
 
 #include "fix_hydro_level.h"
+#include "pore_cg.h"
 
 namespace LAMMPS_NS {
 
 class HydroField;
+class HydroPreconditioner;
 struct HydroSettings;
 
 // All spheres move each other through the fluid, by its mobility on a grid: solved from time to
@@ -24,11 +26,14 @@ class HydroGrid : public HydroLevel {
   HydroGrid(LAMMPS *, Fix *, int narg, char **arg);
   ~HydroGrid() override;
   void init() override;
+  bool leaves_residual() const override { return true; }
   void init_list(NeighList *ptr) override { list = ptr; }
   void start() override;
   void new_step() override;
-  Pull pull(int i) const override;
-  void stresslet(int i, const double *strain, double *five) const override;
+  bool pull(int i, Pull &) const override;
+  bool drags_all() const override { return true; }
+  void stresslet(int i, double *five) const override;
+  double stresslet_heat() const override;
 
   double iterations() const override { return state.iterations; }
   double residual() const override { return state.residual; }
@@ -49,6 +54,7 @@ class HydroGrid : public HydroLevel {
  private:
   std::unique_ptr<HydroSettings> settings;
   std::unique_ptr<HydroField> field;
+  std::unique_ptr<HydroPreconditioner> preconditioner;
   NeighList *list;
 
   // numbers only: a restart file holds it
@@ -67,6 +73,8 @@ class HydroGrid : public HydroLevel {
   void check_pores() const;
   void measure_radius();
   void solve(double tolerance);
+  Pore_NS::Convergence find_loads(const std::vector<double> &right, double tolerance,
+                                  std::vector<double> &x);
 };
 
 }    // namespace LAMMPS_NS

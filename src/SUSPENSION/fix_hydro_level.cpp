@@ -15,9 +15,12 @@
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
+#include "fix_background_fluid.h"
 #include "hydro_tensors.h"
+#include "lubcontact_law.h"
 #include "memory.h"
 #include "modify.h"
+#include "pair_lubcontact.h"
 #include "suspension_host.h"
 
 #include <algorithm>
@@ -31,7 +34,7 @@ static constexpr const char *READERS[] = {"setforce", "freeze", "store/force"};
 /* ---------------------------------------------------------------------- */
 
 HydroLevel::HydroLevel(LAMMPS *lmp, Fix *owner, int numbers) :
-    Pointers(lmp), columns(numbers), held(nullptr), fix(owner)
+    Pointers(lmp), columns(numbers), held(nullptr), fix(owner), strain()
 {
 }
 
@@ -82,6 +85,7 @@ void HydroLevel::init()
 {
   check_alone();
   fluid->init();
+  check_films();
   check_others();
   check_order();
 }
@@ -103,6 +107,27 @@ void HydroLevel::check_alone() const
 }
 
 /* ----------------------------------------------------------------------
+   what the films and the fluid share would act twice, or not at all
+------------------------------------------------------------------------- */
+
+void HydroLevel::check_films() const
+{
+  for (const PairLubcontact *pair : PairLubcontact::all(lmp)) {
+    const Lubcontact_NS::Settings &s = pair->settings();
+    const bool residual = s.range == Lubcontact_NS::Range::RESIDUAL;
+    if (!s.films || residual == leaves_residual()) continue;
+    if (residual)
+      error->all(FLERR,
+                 "Fix hydro mean has no far field that would leave films of range residual: use "
+                 "range cut, or fix hydro grid");
+    error->all(FLERR,
+               "Fix hydro grid has a part of the films of pair_style lubcontact ... {}, which "
+               "would act twice: use range residual, or switch the films off",
+               Lubcontact_NS::RANGE_NAME[static_cast<int>(s.range)]);
+  }
+}
+
+/* ----------------------------------------------------------------------
    nobody else drags these particles
 ------------------------------------------------------------------------- */
 
@@ -116,11 +141,19 @@ void HydroLevel::check_others()
                            "or give it another group",
                            who, name);
       });
-    if (utils::strmatch(kind, "^overdamped"))
+    if (!utils::strmatch(kind, "^overdamped")) continue;
+    const auto *mover = dynamic_cast<FixBackgroundFluid *>(other);
+    if (!drags_all())
+      fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
+        return fmt::format("Fix hydro mean acts on {} of fix {} {}, which has a drag of its own on "
+                           "all: use fix nve/sphere with a small density",
+                           who, name, kind);
+      });
+    else if (mover && !mover->background().is_elsewhere())
       fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
         return fmt::format("Fix hydro acts on {} of fix {} {}, which has a drag of its own: use "
-                           "fix nve/sphere with a small density",
-                           who, name, kind);
+                           "fix {} {} hydro",
+                           who, name, kind, name, kind);
       });
   }
 }
@@ -151,8 +184,8 @@ void HydroLevel::check_order() const
 
 void HydroLevel::find_strain(double *five) const
 {
-  const auto l = Suspension_NS::cell_gradient(domain);
-  Hydro_NS::put_strain({{l.xx, l.xy, l.xz}, {0.0, l.yy, l.yz}, {0.0, 0.0, l.zz}}, five);
+  const auto e = Suspension_NS::cell_strain(domain);
+  Hydro_NS::put_strain({{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}, five);
 }
 
 double HydroLevel::volume_of_group() const

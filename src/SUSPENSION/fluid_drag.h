@@ -77,12 +77,11 @@ struct DragStep {
   Vec3 force, v_full;
 };
 
-inline DragStep drag_step(bool full, double dt, double mass, double coefficient, const Vec3 &force,
-                          const Vec3 &v, const Vec3 &v_fluid)
+LUBCONTACT_FN inline DragStep drag_step(bool full, double dt, double mass, double coefficient,
+                                        const Vec3 &force, const Vec3 &v, const Vec3 &v_fluid)
 {
   const double x = coefficient * dt / mass;
-  const Vec3 all =
-      damped(full ? mean_drag_full(x) : mean_drag(x), coefficient, force, v, v_fluid);
+  const Vec3 all = damped(full ? mean_drag_full(x) : mean_drag(x), coefficient, force, v, v_fluid);
   return {all, full ? v : v + (0.5 * dt / mass) * all};
 }
 

@@ -7,10 +7,9 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// Velocities of a Stokes fluid from a force density on the points of a periodic cell of any shape,
-// by Fourier transforms: u_k = (f_k - k (k.f_k)/k^2)/(eta k^2). The mean velocity is left out, so
-// are the shortest waves, which have no sign. Transforms: M. Frigo, S.G. Johnson, Proc. IEEE 93,
-// 216 (2005); their plans are estimated, not measured: each run then computes the same.
+// What a force density on the points of a periodic cell of any shape does there, by Fourier
+// transforms: hydro_waves.h says what becomes of a wave. Transforms: M. Frigo, S.G. Johnson, Proc.
+// IEEE 93, 216 (2005); their plans are estimated, not measured: each run then computes the same.
 //
 // Several ranks share the grid: each has some layers in z of the force, and some rows in y of its
 // waves. Between the two all ranks exchange what they have of each other's.
@@ -19,6 +18,7 @@
 #define LMP_HYDRO_SOLVE_H
 
 #include "hydro_layers.h"
+#include "hydro_waves.h"
 
 #include <array>
 #include <complex>
@@ -44,11 +44,15 @@ class StokesSolver {
   double *field() { return real.get(); }
   const double *field() const { return real.get(); }
 
+  // What respond() multiplies waves by: f(wave), over the volume of a point. The shortest waves,
+  // which have no sign, are left out.
+  template <class F> void set_response(const Cell &cell, F &&f);
+
   // In this order, with an exchange of all ranks after each of the first two: what is in outbox()
   // goes to the inbox() of others, as many numbers for each rank as
   // of_forces() or of_waves() says.
   void to_waves();
-  void respond(const Cell &cell, double viscosity);
+  void respond();
   void to_velocities();
 
   const Complex *outbox() const { return out.data(); }
@@ -70,6 +74,8 @@ class StokesSolver {
   std::unique_ptr<double, Free> real;
   std::unique_ptr<fftw_complex, Free> plane, column;    // layers in z; rows in y, z next
   std::vector<Complex> out, in;
+  Cell edges;
+  std::vector<WaveFactors> factors;
   std::vector<int> of_planes, of_columns;    // numbers that go to each rank, or come from it
   Plan forward, backward, along_z, back_along_z;
 
@@ -78,6 +84,7 @@ class StokesSolver {
 
   template <class F> void for_each_plane_row(F &&) const;
   template <class F> void for_each_column_row(F &&) const;
+  template <class F> void for_each_wave(F &&) const;
 };
 
 inline StokesSolver::StokesSolver(const std::array<int, 3> &number, int rank, int all) :
@@ -160,12 +167,41 @@ inline void StokesSolver::to_velocities()
   if (backward) fftw_execute(backward.get());
 }
 
-inline int signed_wave(int m, int n)
+// Calls f(wave, n) for the waves of this rank in the order in which it has them.
+template <class F> void StokesSolver::for_each_wave(F &&f) const
 {
-  return 2 * m < n ? m : m - n;
+  const double to_x = 2.0 * PI / edges.xprd, to_y = 1.0 / edges.yprd, to_z = 1.0 / edges.zprd;
+  const Share mine = rows();
+  std::size_t n = 0;
+  for (int j = mine.first; j < mine.last; j++)
+    for (int k = 0; k < nz; k++)
+      for (int i = 0; i < half; i++, n++) {
+        WaveVector w{{}, 0.0, {signed_wave(i, nx), signed_wave(j, ny), signed_wave(k, nz)}};
+        w.k.x = to_x * w.number[0];
+        w.k.y = (2.0 * PI * w.number[1] - w.k.x * edges.xy) * to_y;
+        w.k.z = (2.0 * PI * w.number[2] - w.k.x * edges.xz - w.k.y * edges.yz) * to_z;
+        w.square = dot(w.k, w.k);
+        f(w, n);
+      }
 }
 
-inline void StokesSolver::respond(const Cell &cell, double viscosity)
+template <class F> void StokesSolver::set_response(const Cell &cell, F &&f)
+{
+  edges = cell;
+  factors.resize(static_cast<std::size_t>(rows().number()) * nz * half);
+  const double norm = 1.0 / (static_cast<double>(nx) * ny * nz);
+  const auto shortest = [](int m, int all) {
+    return 2 * m == -all;
+  };
+  for_each_wave([&](const WaveVector &w, std::size_t n) {
+    factors[n] = {0.0, 0.0};
+    if (shortest(w.number[0], nx) || shortest(w.number[1], ny) || shortest(w.number[2], nz)) return;
+    const WaveFactors found = f(w);
+    factors[n] = {norm * found.across, norm * found.along};
+  });
+}
+
+inline void StokesSolver::respond()
 {
   auto *wave = reinterpret_cast<Complex *>(column.get());
   const Complex *from = in.data();
@@ -174,32 +210,17 @@ inline void StokesSolver::respond(const Cell &cell, double viscosity)
     from += half;
   });
   if (along_z) fftw_execute(along_z.get());
-  const Share mine = rows();
-  const std::size_t component = static_cast<std::size_t>(mine.number()) * nz * half;
-  const double norm = 1.0 / (viscosity * static_cast<double>(nx) * ny * nz);
-  const auto shortest = [](int m, int n) {
-    return 2 * m == n;
-  };
-  std::size_t n = 0;
-  for (int j = mine.first; j < mine.last; j++)
-    for (int k = 0; k < nz; k++)
-      for (int i = 0; i < half; i++, n++) {
-        // waves of the cell: k.edge = 2 pi times an integer
-        const double kx = 2.0 * PI * signed_wave(i, nx) / cell.xprd;
-        const double ky = (2.0 * PI * signed_wave(j, ny) - kx * cell.xy) / cell.yprd;
-        const double kz = (2.0 * PI * signed_wave(k, nz) - kx * cell.xz - ky * cell.yz) / cell.zprd;
-        Complex &x = wave[n], &y = wave[n + component], &z = wave[n + 2 * component];
-        const double k2 = kx * kx + ky * ky + kz * kz;
-        if (k2 == 0.0 || shortest(i, nx) || shortest(j, ny) || shortest(k, nz)) {
-          x = y = z = 0.0;
-          continue;
-        }
-        const Complex along = (kx * x + ky * y + kz * z) / k2;
-        const double factor = norm / k2;
-        x = factor * (x - kx * along);
-        y = factor * (y - ky * along);
-        z = factor * (z - kz * along);
-      }
+  const std::size_t component = factors.size();
+  for_each_wave([&](const WaveVector &w, std::size_t n) {
+    Complex &x = wave[n], &y = wave[n + component], &z = wave[n + 2 * component];
+    const WaveFactors &f = factors[n];
+    const Complex along = w.square > 0.0
+        ? (f.along - f.across) / w.square * (w.k.x * x + w.k.y * y + w.k.z * z)
+        : 0.0;
+    x = f.across * x + w.k.x * along;
+    y = f.across * y + w.k.y * along;
+    z = f.across * z + w.k.z * along;
+  });
   if (back_along_z) fftw_execute(back_along_z.get());
   Complex *to = out.data();
   for_each_column_row([&](std::size_t row) {
@@ -209,7 +230,8 @@ inline void StokesSolver::respond(const Cell &cell, double viscosity)
 
 inline double StokesSolver::memory_usage() const
 {
-  return static_cast<double>(3 * points() * sizeof(double) + 4 * in.size() * sizeof(Complex));
+  return static_cast<double>(3 * points() * sizeof(double) + 4 * in.size() * sizeof(Complex) +
+                             factors.size() * sizeof(WaveFactors));
 }
 
 }    // namespace LAMMPS_NS::Hydro_NS

@@ -27,6 +27,8 @@
 
 using namespace LAMMPS_NS;
 using Lubcontact_NS::Law;
+using Lubcontact_NS::Range;
+using Lubcontact_NS::Settings;
 using Lubcontact_NS::TypeCoeffs;
 
 static constexpr double LARGEST_SKIN = 2.0;    // over the largest radius
@@ -140,6 +142,33 @@ void lubcontact_checks::check_repulsion(LAMMPS *lmp, const Law &law, double smal
             "of pair style lubcontact, where it drops to zero: extend the range",
             i, j, left, reach);
     }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void lubcontact_checks::check_residual(LAMMPS *lmp, const Settings &settings)
+{
+  if (settings.range != Range::RESIDUAL) return;
+  if (lmp->domain->dimension == 2)
+    lmp->error->all(FLERR,
+                    "Pair style lubcontact range residual is for spheres in 3d: use range cut");
+  if (lmp->modify->get_fix_by_style("^hydro").empty())
+    lmp->error->all(FLERR,
+                    "Pair style lubcontact range residual is what fix hydro grid leaves to the "
+                    "films: add this fix, or use range cut");
+}
+
+void lubcontact_checks::check_sizes(LAMMPS *lmp, const Settings &settings, double smallest_radius,
+                                    double largest_radius)
+{
+  static constexpr double MOST = Lubcontact_NS::RESIDUAL_SIZE_RATIO;
+  if (settings.range != Range::RESIDUAL || lmp->comm->me ||
+      largest_radius <= MOST * smallest_radius * (1.0 + 1e-9))
+    return;
+  lmp->error->warning(FLERR,
+                      "Radii {:.4g} and {:.4g} differ by more than a factor of {}: pair style "
+                      "lubcontact range residual takes the films of that ratio",
+                      smallest_radius, largest_radius, MOST);
 }
 
 /* ---------------------------------------------------------------------- */

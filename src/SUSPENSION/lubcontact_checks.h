@@ -18,7 +18,8 @@
 
 namespace LAMMPS_NS::Lubcontact_NS {
 struct Law;
-}
+struct Settings;
+}    // namespace LAMMPS_NS::Lubcontact_NS
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -34,6 +35,13 @@ namespace lubcontact_checks {
 
   // a repulsion that jumps where pairs come into range: a warning
   void check_repulsion(LAMMPS *, const Lubcontact_NS::Law &, double smallest_radius);
+
+  // residual films without the far field that they are left of, and more
+  void check_residual(LAMMPS *, const Lubcontact_NS::Settings &);
+
+  // or of spheres that differ more than what is known of them: a warning
+  void check_sizes(LAMMPS *, const Lubcontact_NS::Settings &, double smallest_radius,
+                   double largest_radius);
 
   // forces that others would scale: an error
   void check_factors(LAMMPS *);

@@ -98,6 +98,7 @@ template <unsigned MASK> struct Effects {
   static constexpr bool roll = MASK & ROLL;
   static constexpr bool twist = MASK & TWIST;
   static constexpr bool threshold = friction && (MASK & THRESHOLD);
+  static constexpr bool residual = false;    // see WithResidual
   static constexpr bool adhesion = MASK & ADHESION;
   static constexpr bool repulsion = MASK & REPULSION;
   static constexpr unsigned normal = MASK & (ADHESION | REPULSION);    // extends the normal mode
@@ -123,6 +124,25 @@ template <unsigned MASK> struct Effects {
       (tangential ? 4 : 0) + (roll ? 8 : 0) + (twist ? 16 : 0) + (adhesion ? 32 : 0);
 };
 
+// The same with residual films (range residual), which is no bit: few have it, all with every film.
+template <class E> struct WithResidual : E {
+  static constexpr bool residual = true;
+};
+
+constexpr unsigned covering_residual(unsigned mask)
+{
+  return covering(mask | SQUEEZE | SHEAR | ROLL | TWIST);
+}
+
+template <unsigned X> constexpr auto residual_instances()
+{
+  constexpr unsigned films = SQUEEZE | SHEAR | ROLL | TWIST, F = FRICTION, T = FRICTION | THRESHOLD;
+  if constexpr (X == 0)
+    return std::integer_sequence<unsigned, films, films | F, films | T>();
+  else
+    return with_extensions<X>(std::integer_sequence<unsigned, films, films | F>());
+}
+
 // The one way from a mask at run time to compiled effects: calls f(Effects<instance>()) if the
 // instance is one of those listed.
 template <class F, unsigned... MASK>
@@ -145,6 +165,24 @@ void with_sets(std::integer_sequence<unsigned, SET...>, unsigned instance, F &&f
 template <class F> void with_effects(unsigned instance, F &&f)
 {
   with_sets(std::make_integer_sequence<unsigned, NUM_EXTENDED>(), instance, f);
+}
+
+// Among all that covering_residual() may give.
+template <class F, unsigned... SET>
+void with_residual_sets(std::integer_sequence<unsigned, SET...>, unsigned instance, F &&f)
+{
+  auto add = [&f](auto effects) {
+    f(WithResidual<decltype(effects)>());
+  };
+  ((SET * ADHESION == (instance & EXTENSIONS)
+        ? with_one_of(residual_instances<SET * ADHESION>(), instance, add)
+        : void()),
+   ...);
+}
+
+template <class F> void with_residual_effects(unsigned instance, F &&f)
+{
+  with_residual_sets(std::make_integer_sequence<unsigned, NUM_EXTENDED>(), instance, f);
 }
 
 // Among a share of them: files that share the work of compiling them have numbers 0 to 3.

@@ -19,6 +19,8 @@
 
 #include "lubcontact_defs.h"
 #include "lubcontact_polynomial.h"
+#include "lubcontact_residual.h"
+#include "lubcontact_strain.h"
 
 #include <cmath>
 
@@ -26,10 +28,10 @@ namespace LAMMPS_NS::Lubcontact_NS {
 
 // Which pairs are lubricated, and how it ends: CUT un_a < reach_a, forces as they are;
 // SHIFTED: minus their resistance at the end of the range, where they vanish; VORONOI: CUT, but
-// only pairs that share a face of the tessellation.
-enum class Range { CUT, SHIFTED, VORONOI };
+// only pairs that share a face of the tessellation; RESIDUAL: CUT, what is left beside a far field.
+enum class Range { CUT, SHIFTED, VORONOI, RESIDUAL };
 
-inline constexpr const char *RANGE_NAME[] = {"cut", "shifted", "voronoi"};
+inline constexpr const char *RANGE_NAME[] = {"cut", "shifted", "voronoi", "residual"};
 
 // Measured to be the best for its cost at volume fractions of 0.40 to 0.54: tests/validation/range.
 static constexpr Range DEFAULT_RANGE = Range::CUT;
@@ -43,6 +45,8 @@ struct Film {
   double roll_end;      // SHIFTED: roll_shape() at reach_a; CUT: 0
   double twist_end;     // SHIFTED: min(0, ln reach_a); CUT: 0
   double roll_coeff;    // coefficient of the rolling torque, 3/5 asymptotically
+  bool residual = false;
+  Strain strain{};    // RESIDUAL: of the flow
 };
 
 // Squeeze: F = nu a^2 (du/dt)/u with nu = (3/2) pi eta, pressure*time.
@@ -87,6 +91,7 @@ LUBCONTACT_FN inline double twist_resistance(const Film &f, double a, double u_a
 LUBCONTACT_FN inline Film make_film(double viscosity, double reach_a, Range rule, double roll_coeff)
 {
   Film f{viscosity, reach_a, 0.0, 0.0, 0.0, 0.0, roll_coeff};
+  f.residual = rule == Range::RESIDUAL;
   if (rule == Range::SHIFTED) {
     const double ln_reach = std::log(reach_a);
     f.shift = 1.0 / reach_a;
@@ -95,6 +100,17 @@ LUBCONTACT_FN inline Film make_film(double viscosity, double reach_a, Range rule
     f.twist_end = smaller(ln_reach, 0.0);
   }
   return f;
+}
+
+// RESIDUAL: all of them at the gap u_a.
+LUBCONTACT_FN inline TangentialResidual residual_films(const Film &f, double a, double delta,
+                                                       const ResidualPlace &place)
+{
+  TangentialResidual t = tangential_residual(f.viscosity, a, delta, place);
+  t.shear = larger(0.0, t.shear - f.shear_end);
+  t.roll = larger(0.0, t.roll - f.roll_end);
+  t.twist = select(f.twist_end < 0.0, 0.0, t.twist);
+  return t;
 }
 
 // The same without the films that are off.

@@ -65,12 +65,19 @@ LUBCONTACT_FN inline PairGeometry pair_geometry(const Vec3 &xi, const Vec3 &xj, 
   return g;
 }
 
+// (R_j - R_i)/(R_i + R_j): 0 for equal spheres, odd.
+LUBCONTACT_FN inline double size_difference(const PairGeometry &g)
+{
+  return (g.arm_j - g.arm_i) / (g.r - g.un);
+}
+
 // Relative motion over the last step, in the frame that turns with the pair and is n at its end.
 struct PairMotion {
   Vec3 slip;       // tangential displacement at the middle of the gap, perpendicular to n, length
   Vec3 roll;       // rolling part of the relative rotation, perpendicular to n, angle
   double twist;    // twisting part of the relative rotation, about n, angle
-  Vec3 turn;    // Cayley vector that carries history vectors with the pair (tilt of n, mean spin)
+  Vec3 turn;      // Cayley vector that carries history vectors with the pair (tilt of n, mean spin)
+  Vec3 middle;    // n at mid-step
 };
 
 // The velocities undo the step: x - dt v is the previous position for velocity Verlet. All is taken
@@ -101,6 +108,7 @@ LUBCONTACT_FN inline PairMotion pair_motion(const PairGeometry &g, const Body &i
   m.roll = roll + (0.5 * spin) * cross(g.n, roll);
   m.twist = about - 0.5 * dot(difference, lean);
   m.turn = tilt + spin * g.n - (0.5 * spin) * lean;    // tilt first, then spin about n
+  m.middle = g.n - 0.5 * lean;
   return m;
 }
 

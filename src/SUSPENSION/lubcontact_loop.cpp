@@ -24,9 +24,14 @@ extern template void LAMMPS_NS::find_in_share<3>(LubcontactInstance &);
 
 /* ---------------------------------------------------------------------- */
 
-LubcontactInstance LAMMPS_NS::find_instance(unsigned effects)
+LubcontactInstance LAMMPS_NS::find_instance(unsigned effects, bool residual)
 {
   LubcontactInstance found{effects, Lubcontact_NS::covering(effects), {}, nullptr, nullptr};
+  if (residual) {
+    found.covering = Lubcontact_NS::covering_residual(effects);
+    find_residual(found);
+    return found;
+  }
   find_in_share<0>(found);
   find_in_share<1>(found);
   find_in_share<2>(found);

@@ -32,6 +32,8 @@ struct LubcontactStep {
   // energy and virial of the atoms, null: nobody asks: i, j, energy, force on i, x_i - x_j
   std::function<void(int, int, double, const Lubcontact_NS::Vec3 &, const Lubcontact_NS::Vec3 &)>
       tally_atoms;
+  // of residual films besides: the virial of the atoms that is of no force
+  std::function<void(int, int, const Lubcontact_NS::SymmetricTensor &)> tally_stresslet;
   bool asked_energy;
 };
 
@@ -48,10 +50,11 @@ struct LubcontactInstance {
                                 double &energy);
 };
 
-LubcontactInstance find_instance(unsigned effects);
+LubcontactInstance find_instance(unsigned effects, bool residual);
 
 // If it is in this share: files share the work of compiling them.
 template <unsigned SHARE> void find_in_share(LubcontactInstance &);
+void find_residual(LubcontactInstance &);
 
 }    // namespace LAMMPS_NS
 

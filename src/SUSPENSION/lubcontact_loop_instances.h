@@ -69,6 +69,9 @@ template <class E> class LubcontactLoop : protected Pointers {
   void flush();
   Load step_alone(int lane, bool advance, PairGeometry &);
   void tally_pair(int lane, const double *old, const PairGeometry &, const Load &);
+  void add_stresslets();
+  void tally_stresslet(int lane, double weight, const PairGeometry &, const Load &,
+                       const double *history);
   Body body(int i) const
   {
     return {Lubcontact_NS::get_vector(atom->x[i]), Lubcontact_NS::get_vector(atom->v[i]),
@@ -253,6 +256,8 @@ template <class E> [[gnu::noinline]] void LubcontactLoop<E>::flush()
     if (asked) tally_pair(l, old, geometry, load);
   }
   if (step.virial) add_virial(force, atom, queue);
+  if constexpr (E::residual)
+    if (step.virial) add_stresslets();
   queue.n = 0;
 }
 
@@ -274,15 +279,40 @@ template <class E>
     step.tally_atoms(i, j, energy, Lubcontact_NS::force_on_i(load, geometry),
                      geometry.r * geometry.n);
   }
+  const double *next = SIZE ? queue.history[l] : nullptr;
   if (step.tally.asked_stress()) step.tally.add_stress(i, j, weight, geometry, load);
+  if constexpr (E::residual) tally_stresslet(l, weight, geometry, load, next);
   if (!step.tally.asked_power()) return;
 
-  const double *next = SIZE ? queue.history[l] : nullptr;
   step.tally.add_stored(weight, Lubcontact_NS::stored_energy<E>(c, geometry, load, next));
   if (queue.first[l] || update->setupflag) return;
   step.tally.add_heat(
       weight,
       Lubcontact_NS::step_loss<E>(c, film, geometry, body(i), body(j), update->dt, old, next));
+}
+
+/* ----------------------------------------------------------------------
+   the virial is that of forces on i, positive if they repel: minus the stresslet
+------------------------------------------------------------------------- */
+
+template <class E> [[gnu::noinline]] void LubcontactLoop<E>::add_stresslets()
+{
+  fill();    // histories of this step
+  Lubcontact_NS::stresslets_together<E>(queue.batch, film);
+  for (int n = 0; n < 6; n++)
+    for (int l = 0; l < queue.n; l++)
+      queue.virial[n][l] -= step.pairs.share(queue.j[l]) * queue.batch.stresslet[n][l];
+}
+
+template <class E>
+void LubcontactLoop<E>::tally_stresslet(int l, double weight, const PairGeometry &geometry,
+                                        const Load &load, const double *history)
+{
+  const int i = queue.i[l], j = queue.j[l];
+  const auto s =
+      Lubcontact_NS::present_stresslet<E>(*queue.coeffs[l], film, geometry, load, history);
+  if (step.tally_stresslet) step.tally_stresslet(i, j, s.normal + s.tangential);
+  if (step.tally.asked_stress()) step.tally.add_stresslet(i, j, weight, s);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -306,13 +336,17 @@ Load single_load(const PairCoeffs &c, const Lubcontact_NS::Film &film, const Pai
   return load;
 }
 
+template <class E> void take_instance(LubcontactInstance &found)
+{
+  found.history = {E::HISTORY_SIZE, E::LAYOUT, &Lubcontact_NS::exchange_history<E>};
+  found.loop = &run_loop<E>;
+  found.single = &single_load<E>;
+}
+
 template <unsigned SHARE> void find_in_share(LubcontactInstance &found)
 {
   Lubcontact_NS::with_share_of_effects<SHARE>(found.covering, [&found](auto effects) {
-    using E = decltype(effects);
-    found.history = {E::HISTORY_SIZE, E::LAYOUT, &Lubcontact_NS::exchange_history<E>};
-    found.loop = &run_loop<E>;
-    found.single = &single_load<E>;
+    take_instance<decltype(effects)>(found);
   });
 }
 

@@ -23,6 +23,8 @@
 #include "lubcontact_gap.h"
 #include "lubcontact_repulsion.h"
 
+#include <type_traits>
+
 namespace LAMMPS_NS::Lubcontact_NS {
 
 struct NormalCoeffs {
@@ -110,9 +112,27 @@ LUBCONTACT_FN inline bool is_small_change(const NormalCoeffs &c, double a, doubl
   return (c.repulsion.force == 0.0) | (std::fabs(u1_a - u0_a) * a * c.repulsion.per_length < 0.25);
 }
 
+// The gap expected at mid-step is the old one times rise/fall, half being half of the step:
+// linearly implicit, positive, second order.
+struct MiddleGap {
+  double rise, fall;
+};
+
+template <unsigned X>
+LUBCONTACT_FN inline MiddleGap middle_gap(const NormalCoeffs &c, const Gap &old, double un_a,
+                                          double half)
+{
+  const bool contact = (X & ADHESION) ? old.bond != 0.0 : old.ln_u < c.gap.ln_eps;
+  const double A = gap_stiffness<X>(c.gap, contact);
+  const double r = un_a + gap_drive<X>(c.gap, contact);
+  return {1.0 + half * larger(0.0, r), 1.0 + half * (A * old.u_a + larger(0.0, -r))};
+}
+
+static constexpr double LEAST_FILM = 1e-6;    // of the resistance, so that steps stay finite
+
 // Length of the time step in units of tau = nu a/g. With a shifted range the squeeze resistance is
-// nu (1 - u_a/reach_a), frozen at the gap expected at mid-step (linearly implicit: positive, second
-// order). From un0_a to un1_a as in gap_step().
+// nu (1 - u_a/reach_a), frozen at the gap expected at mid-step. From un0_a to un1_a as in
+// gap_step().
 template <unsigned X = 0>
 LUBCONTACT_FN inline double film_steps(const NormalCoeffs &c, const Film &f, double a,
                                        const Gap &old, double un0_a, double un1_a, double dt)
@@ -120,14 +140,40 @@ LUBCONTACT_FN inline double film_steps(const NormalCoeffs &c, const Film &f, dou
   const double steps = dt / squeeze_coeff(f.viscosity) * (c.g * (1.0 / a));    // 1/a is at hand
   if (f.shift == 0.0) return steps;
 
-  const bool contact = (X & ADHESION) ? old.bond != 0.0 : old.ln_u < c.gap.ln_eps;
-  const double A = gap_stiffness<X>(c.gap, contact);
-  const double r = 0.5 * (un0_a + un1_a) + gap_drive<X>(c.gap, contact);
-  static constexpr double LEAST = 1e-6;    // of the resistance, so that steps stays finite
-  const double half = 0.5 * steps / larger(LEAST, 1.0 - old.u_a * f.shift);
-  const double middle =
-      old.u_a * (1.0 + half * larger(0.0, r)) / (1.0 + half * (A * old.u_a + larger(0.0, -r)));
-  return steps / larger(LEAST, 1.0 - middle * f.shift);
+  const double half = 0.5 * steps / larger(LEAST_FILM, 1.0 - old.u_a * f.shift);
+  const MiddleGap m = middle_gap<X>(c, old, 0.5 * (un0_a + un1_a), half);
+  const double middle = old.u_a * m.rise / m.fall;
+  return steps / larger(LEAST_FILM, 1.0 - middle * f.shift);
+}
+
+// RESIDUAL: e = n.E.n at mid-step and delta of lubcontact_residual.h.
+struct SqueezeFlow {
+  double e, delta;
+};
+struct NoFlow {};    // any other range
+
+// RESIDUAL: the same of the film nu squeeze(u_a), and what the flow adds to un_a. Both are frozen at
+// the gap expected at mid-step, which sees those of the old one.
+struct ResidualStep {
+  double steps, push_a;
+};
+
+template <unsigned X = 0>
+LUBCONTACT_FN inline ResidualStep residual_step(const NormalCoeffs &c, const Film &f, double a,
+                                                const Gap &old, double un0_a, double un1_a,
+                                                double dt, const SqueezeFlow &flow)
+{
+  const double bare = dt / squeeze_coeff(f.viscosity) * (c.g * (1.0 / a));
+  const double push = f.viscosity * a * flow.e / c.g;
+  const ResidualPlace p = residual_place(old.u_a, old.ln_u, flow.delta);
+  const double half = 0.5 * bare / larger(LEAST_FILM, residual<RESIDUAL_SQUEEZE>(p));
+  const double un_a = 0.5 * (un0_a + un1_a) + push * residual<RESIDUAL_PUSH>(p);
+  const MiddleGap m = middle_gap<X>(c, old, un_a, half);
+  const double ratio = m.rise / m.fall;
+  const ResidualPlace middle =
+      residual_place(old.u_a * ratio, old.ln_u + logarithm(ratio), flow.delta);
+  return {bare / larger(LEAST_FILM, residual<RESIDUAL_SQUEEZE>(middle)),
+          push * residual<RESIDUAL_PUSH>(middle)};
 }
 
 // No film at all, or one that is at rest within 1e-12 of the step: dry contact.
@@ -137,38 +183,50 @@ LUBCONTACT_FN inline bool is_dry(const NormalCoeffs &c, const Film &f, double a,
 }
 
 // Gap after a step as nearly all are: branch-free, void if usual becomes false.
-template <unsigned X = 0>
+template <unsigned X = 0, class Flow = NoFlow>
 LUBCONTACT_FN inline Gap next_gap_usual(const NormalCoeffs &c, const Film &f, double a,
                                         const Gap &old, double un0_a, double un1_a, double dt,
-                                        bool &usual)
+                                        bool &usual, [[maybe_unused]] const Flow &flow = {})
 {
   usual = usual & !is_dry(c, f, a, dt);
   const NormalCoeffs l = linearized<X>(c, a, old.u_a);
-  const double steps = film_steps<X>(l, f, a, old, un0_a, un1_a, dt);
-  const Gap end = gap_step_usual<X>(l.gap, old, un0_a, un1_a, steps, usual);
+  Gap end{};
+  if constexpr (std::is_same_v<Flow, NoFlow>) {
+    const double steps = film_steps<X>(l, f, a, old, un0_a, un1_a, dt);
+    end = gap_step_usual<X>(l.gap, old, un0_a, un1_a, steps, usual);
+  } else {
+    const ResidualStep s = residual_step<X>(l, f, a, old, un0_a, un1_a, dt, flow);
+    end = gap_step_usual<X>(l.gap, old, un0_a + s.push_a, un1_a + s.push_a, s.steps, usual);
+  }
   if constexpr (X & REPULSION) usual = usual & is_small_change(c, a, old.u_a, end.u_a);
   return end;
 }
 
 // The same for any step.
-template <unsigned X = 0>
+template <unsigned X = 0, class Flow = NoFlow>
 LUBCONTACT_FN inline Gap next_gap_linear(const NormalCoeffs &c, const Film &f, double a,
-                                         const Gap &old, double un0_a, double un1_a, double dt)
+                                         const Gap &old, double un0_a, double un1_a, double dt,
+                                         [[maybe_unused]] const Flow &flow = {})
 {
   const NormalCoeffs l = linearized<X>(c, a, old.u_a);
-  return gap_step<X>(l.gap, old, un0_a, un1_a, film_steps<X>(l, f, a, old, un0_a, un1_a, dt));
+  if constexpr (std::is_same_v<Flow, NoFlow>) {
+    return gap_step<X>(l.gap, old, un0_a, un1_a, film_steps<X>(l, f, a, old, un0_a, un1_a, dt));
+  } else {
+    const ResidualStep s = residual_step<X>(l, f, a, old, un0_a, un1_a, dt, flow);
+    return gap_step<X>(l.gap, old, un0_a + s.push_a, un1_a + s.push_a, s.steps);
+  }
 }
 
-template <unsigned X = 0>
+template <unsigned X = 0, class Flow = NoFlow>
 LUBCONTACT_FN inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a, const Gap &old,
-                                  double un0_a, double un1_a, double dt)
+                                  double un0_a, double un1_a, double dt, const Flow &flow = {})
 {
   if (is_dry(c, f, a, dt)) {
     const bool bond = elastic_contact<X>(c, a, un1_a, old.bond != 0.0);
     const double u_a = elastic_gap_a<X>(c, a, un1_a, bond);
     return {u_a, std::log(u_a), bond ? 1.0 : 0.0};
   }
-  if constexpr (!(X & REPULSION)) return next_gap_linear<X>(c, f, a, old, un0_a, un1_a, dt);
+  if constexpr (!(X & REPULSION)) return next_gap_linear<X>(c, f, a, old, un0_a, un1_a, dt, flow);
 
   // in pieces, halved until the repulsion changes little in each
   static constexpr double SMALLEST = 1.0 / 256;
@@ -177,7 +235,7 @@ LUBCONTACT_FN inline Gap next_gap(const NormalCoeffs &c, const Film &f, double a
   while (done < 1.0) {
     const double from_a = un0_a + done * (un1_a - un0_a);
     const double to_a = un0_a + (done + piece) * (un1_a - un0_a);
-    const Gap end = next_gap_linear<X>(c, f, a, gap, from_a, to_a, piece * dt);
+    const Gap end = next_gap_linear<X>(c, f, a, gap, from_a, to_a, piece * dt, flow);
     if (piece > SMALLEST && !is_small_change(c, a, gap.u_a, end.u_a)) {
       piece *= 0.5;
       continue;

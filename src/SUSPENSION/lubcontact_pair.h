@@ -23,6 +23,8 @@
 #include "lubcontact_normal.h"
 #include "lubcontact_roll.h"
 #include "lubcontact_shear.h"
+#include "lubcontact_strain.h"
+#include "lubcontact_stresslet.h"
 #include "lubcontact_twist.h"
 
 #include <cmath>
@@ -54,6 +56,8 @@ struct Load {
   Vec3 couple;      // rolling and twisting torque on i; j gets the opposite
   double u;         // gap of the deformed surfaces
   double cone;      // largest friction force
+  double lever;     // RESIDUAL: how far off the middle of the gap, towards i, the shear force acts;
+                    // the couple has its torque
 };
 
 template <class E> LUBCONTACT_FN inline bool has_film(const Film &f)
@@ -110,8 +114,61 @@ LUBCONTACT_FN inline void first_history(const PairCoeffs &c, const PairGeometry 
   if constexpr (E::surface_history) next[E::SURFACE_SLOT] = g.un;
 }
 
-// History after a step of length dt that ended at the geometry g, next_gap(old, un0_a, un1_a)
-// giving the gap. old and next may be the same.
+// Strain of the flow at mid-step in the frame of the pair, carried to the end as its motion is.
+LUBCONTACT_FN inline PairStrain strain_of_step(const Film &f, const PairMotion &m)
+{
+  PairStrain s = pair_strain(f.strain, m.middle);
+  s.across = s.across + 0.5 * cross(m.turn, s.across);
+  return s;
+}
+
+// What the squeeze film needs of the motion of a step.
+template <class E>
+LUBCONTACT_FN inline auto squeeze_flow([[maybe_unused]] const Film &f,
+                                       [[maybe_unused]] const PairGeometry &g,
+                                       [[maybe_unused]] const PairMotion &m)
+{
+  if constexpr (E::residual)
+    return SqueezeFlow{strain_of_step(f, m).along, size_difference(g)};
+  else
+    return NoFlow{};
+}
+
+// Resistances of the films of shear, roll and twist, and the motion that they see: residual ones
+// have no force where the spheres move as in a flow, and that of shear acts off the middle of the
+// gap. Where a contact rubs, the two act at one place, that of the contact.
+struct TangentialFilms {
+  double shear, roll, twist;
+  PairMotion seen;
+};
+
+template <class E>
+LUBCONTACT_FN inline TangentialFilms
+tangential_films(const Film &f, const PairGeometry &g, const PairMotion &m,
+                 [[maybe_unused]] double u_a, [[maybe_unused]] double ln_u,
+                 [[maybe_unused]] double dt, [[maybe_unused]] bool rubs)
+{
+  TangentialFilms films{0.0, 0.0, 0.0, m};
+  if constexpr (E::residual) {
+    const double delta = size_difference(g);
+    const TangentialResidual t = residual_films(f, g.a, delta, residual_place(u_a, ln_u, delta));
+    const Vec3 flow = dt * strain_of_step(f, m).across;
+    films.shear = t.shear;
+    films.roll = t.roll;
+    films.twist = t.twist;
+    films.seen.slip =
+        m.slip + (rubs ? 0.0 : t.lever) * cross(m.roll, g.n) - (rubs ? 0.0 : t.slide) * flow;
+    films.seen.roll = m.roll - t.turn * cross(g.n, flow);
+  } else {
+    if constexpr (E::shear) films.shear = shear_resistance(f, g.a, u_a, ln_u);
+    if constexpr (E::roll) films.roll = roll_resistance(f, g.a, u_a, ln_u);
+    if constexpr (E::twist) films.twist = twist_resistance(f, g.a, u_a, ln_u);
+  }
+  return films;
+}
+
+// History after a step of length dt that ended at the geometry g, next_gap(old, un0_a, un1_a,
+// motion) giving the gap. old and next may be the same.
 template <class E, class NextGap>
 LUBCONTACT_FN inline void step_history(NextGap next_gap, const PairCoeffs &c, const Film &f,
                                        const PairGeometry &g, const Body &i, const Body &j,
@@ -129,9 +186,11 @@ LUBCONTACT_FN inline void step_history(NextGap next_gap, const PairCoeffs &c, co
 
   const double un_old = old[E::SURFACE_SLOT];
   const double un_old_a = un_old * g.per_a;
+  PairMotion m{};
+  if constexpr (E::turns || E::twist) m = pair_motion(g, i, j, g.r - g.un + un_old, dt);
   if constexpr (E::gap_history) {
     before = {old[E::GAP_SLOT], old[E::GAP_SLOT + 1], before.bond};
-    after = next_gap(before, un_old_a, g.un_a);
+    after = next_gap(before, un_old_a, g.un_a, m);
     next[E::GAP_SLOT] = after.u_a;
     next[E::GAP_SLOT + 1] = after.ln_u;
     if constexpr (E::adhesion) next[E::BOND_SLOT] = after.bond;
@@ -147,38 +206,37 @@ LUBCONTACT_FN inline void step_history(NextGap next_gap, const PairCoeffs &c, co
   next[E::SURFACE_SLOT] = g.un;
 
   if constexpr (E::turns || E::twist) {
-    const PairMotion m = pair_motion(g, i, j, g.r - g.un + un_old, dt);
     // the films of shear, roll and twist see the gap at mid-step
     [[maybe_unused]] const double ln_u = 0.5 * (before.ln_u + after.ln_u);
     [[maybe_unused]] const double u_a = 0.5 * (before.u_a + after.u_a);
 
-    if constexpr (E::tangential) {
-      double cone0 = 0.0, cone = 0.0, film = 0.0;
-      [[maybe_unused]] auto cone_at = [&](const PairGeometry &at, double gap_a, bool bond) {
+    [[maybe_unused]] double cone0 = 0.0, cone = 0.0;
+    if constexpr (E::friction) {
+      auto cone_at = [&](const PairGeometry &at, double gap_a, bool bond) {
         const double contact = normal_force_of<E>(c, f, at, g.a * gap_a, bond).contact;
         return c.mu / c.kt * frictional_load<E>(c, contact);
       };
-      if constexpr (E::friction) cone = cone_at(g, after.u_a, holding);
-      if constexpr (E::friction && E::shear) {    // without film only the end of the step counts
+      cone = cone_at(g, after.u_a, holding);
+      if constexpr (E::shear) {    // without film only the end of the step counts
         PairGeometry g0 = g;
         g0.un = un_old;
         cone0 = cone_at(g0, before.u_a, held);
       }
-      if constexpr (E::shear) film = shear_resistance(f, g.a, u_a, ln_u);
+    }
+    const TangentialFilms films = tangential_films<E>(f, g, m, u_a, ln_u, dt, cone > 0.0);
+    if constexpr (E::tangential) {
       const Vec3 q0 = turned(get_vector(old + E::SHEAR_SLOT), m.turn);
-      put_vector(tangential(next_shear(q0, m.slip, cone0, cone, film, c.kt * dt), g.n),
-                 next + E::SHEAR_SLOT);
+      put_vector(
+          tangential(next_shear(q0, films.seen.slip, cone0, cone, films.shear, c.kt * dt), g.n),
+          next + E::SHEAR_SLOT);
     }
     const double kr = c.kt * g.a * g.a;
     if constexpr (E::roll) {
-      const double film = roll_resistance(f, g.a, u_a, ln_u);
       const Vec3 q0 = turned(get_vector(old + E::ROLL_SLOT), m.turn);
-      put_vector(next_roll(q0, m.roll, film, kr * dt), next + E::ROLL_SLOT);
+      put_vector(next_roll(q0, films.seen.roll, films.roll, kr * dt), next + E::ROLL_SLOT);
     }
-    if constexpr (E::twist) {
-      const double film = twist_resistance(f, g.a, u_a, ln_u);
-      next[E::TWIST_SLOT] = next_twist(old[E::TWIST_SLOT], m.twist, film, kr * dt);
-    }
+    if constexpr (E::twist)
+      next[E::TWIST_SLOT] = next_twist(old[E::TWIST_SLOT], m.twist, films.twist, kr * dt);
   }
 }
 
@@ -187,8 +245,9 @@ LUBCONTACT_FN inline void next_history(const PairCoeffs &c, const Film &f, const
                                        const Body &i, const Body &j, double dt, const double *old,
                                        double *next)
 {
-  auto gap = [&](const Gap &before, double un0_a, double un1_a) {
-    return next_gap<E::normal>(c.normal, f, g.a, before, un0_a, un1_a, dt);
+  auto gap = [&](const Gap &before, double un0_a, double un1_a, const PairMotion &m) {
+    return next_gap<E::normal>(c.normal, f, g.a, before, un0_a, un1_a, dt,
+                               squeeze_flow<E>(f, g, m));
   };
   step_history<E>(gap, c, f, g, i, j, dt, old, next);
 }
@@ -200,8 +259,9 @@ LUBCONTACT_FN inline bool next_history_usual(const PairCoeffs &c, const Film &f,
                                              double dt, const double *old, double *next)
 {
   bool usual = true;
-  auto gap = [&](const Gap &before, double un0_a, double un1_a) {
-    return next_gap_usual<E::normal>(c.normal, f, g.a, before, un0_a, un1_a, dt, usual);
+  auto gap = [&](const Gap &before, double un0_a, double un1_a, const PairMotion &m) {
+    return next_gap_usual<E::normal>(c.normal, f, g.a, before, un0_a, un1_a, dt, usual,
+                                     squeeze_flow<E>(f, g, m));
   };
   step_history<E>(gap, c, f, g, i, j, dt, old, next);
   return usual;
@@ -229,6 +289,12 @@ LUBCONTACT_FN inline Load pair_load(const PairCoeffs &c, const Film &f, const Pa
   const double kr = c.kt * g.a * g.a;
   if constexpr (E::roll) load.couple = -kr * get_vector(history + E::ROLL_SLOT);
   if constexpr (E::twist) load.couple = load.couple + (-kr * history[E::TWIST_SLOT]) * g.n;
+  if constexpr (E::residual) {
+    const double delta = size_difference(g);
+    const ResidualPlace p = residual_place(history[E::GAP_SLOT], history[E::GAP_SLOT + 1], delta);
+    load.lever = select(load.cone > 0.0, 0.0, residual_lever(g.a, delta, p));
+    load.couple = load.couple + load.lever * cross(g.n, load.shear);
+  }
   return load;
 }
 
@@ -246,6 +312,18 @@ LUBCONTACT_FN inline Vec3 torque_on_i(const Load &load, const PairGeometry &g)
 LUBCONTACT_FN inline Vec3 torque_on_j(const Load &load, const PairGeometry &g)
 {
   return -1.0 * load.couple - g.arm_j * cross(g.n, load.shear);
+}
+
+// Present stresslet of residual films.
+template <class E>
+LUBCONTACT_FN inline FilmStresslet present_stresslet(const PairCoeffs &c, const Film &f,
+                                                     const PairGeometry &g, const Load &load,
+                                                     const double *history)
+{
+  const FlowResponse r =
+      flow_response(f, g, history[E::GAP_SLOT], history[E::GAP_SLOT + 1], load.cone > 0.0);
+  const Vec3 couple = -c.kt * g.a * g.a * get_vector(history + E::ROLL_SLOT);
+  return film_stresslet(r, f.strain, g.n, load.film, load.shear, couple);
 }
 
 // Contact state, and the share of friction in the tangential force.
@@ -279,8 +357,11 @@ LUBCONTACT_FN inline double pair_energy(const PairCoeffs &c, const PairGeometry 
 {
   double energy = normal_energy<E::normal>(c.normal, g.a, g.un, load.u, load.touch);
   if constexpr (E::tangential) energy += 0.5 * dot(load.shear, load.shear) / c.kt;
-  if constexpr (E::roll || E::twist)
-    energy += 0.5 * dot(load.couple, load.couple) / (c.kt * g.a * g.a);
+  if constexpr (E::roll || E::twist) {
+    Vec3 couple = load.couple;
+    if constexpr (E::residual) couple = couple - load.lever * cross(g.n, load.shear);
+    energy += 0.5 * dot(couple, couple) / (c.kt * g.a * g.a);
+  }
   return energy;
 }
 

@@ -103,9 +103,13 @@ PairGeometry LubcontactPairs::geometry(int i, int j, double a) const
 void LubcontactPairs::visit(unsigned instance, const Film &film, const Visitor &visit) const
 {
   Load (*present)(const PairCoeffs &, const Film &, const PairGeometry &, const double *) = nullptr;
-  Lubcontact_NS::with_effects(instance, [&present](auto effects) {
+  auto take = [&present](auto effects) {
     present = &Lubcontact_NS::pair_load<decltype(effects)>;
-  });
+  };
+  if (film.residual)
+    Lubcontact_NS::with_residual_effects(instance, take);
+  else
+    Lubcontact_NS::with_effects(instance, take);
   const int size = memory_of_pairs.size();
   each([&](const Acting &pair) {
     // the loop of the forces has marked the pairs that it knows

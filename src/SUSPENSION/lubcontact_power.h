@@ -90,6 +90,14 @@ LUBCONTACT_FN inline void normal_loss(const PairCoeffs &c, double a, bool film, 
   loss.of[SQUEEZE_FILM] = film ? all - broken : 0.0;
 }
 
+// RESIDUAL: heat of the films beside that of their forces: the work of the stresslet in the flow.
+LUBCONTACT_FN inline void flow_loss(const FlowResponse &r, const PairStrain &flow, double dt,
+                                    double squeeze, Energies &loss)
+{
+  loss.of[SQUEEZE_FILM] += dt * flow.along * (r.part * squeeze + r.stretch * flow.along);
+  loss.of[SHEAR_FILM] += dt * r.extend * dot(flow.across, flow.across);
+}
+
 // Energy turned into heat by the step of length dt that ended at the geometry g with the history
 // `next`; `old` is the one before.
 template <class E>
@@ -116,7 +124,15 @@ LUBCONTACT_FN inline Energies step_loss(const PairCoeffs &c, const Film &f, cons
                  normal_stored(g, after) - normal_stored(g0, before), loss);
 
   if constexpr (E::turns || E::twist) {
-    const PairMotion m = pair_motion(g, i, j, g0.r, dt);
+    PairMotion m = pair_motion(g, i, j, g0.r, dt);
+    if constexpr (E::residual) {
+      const double u_a = 0.5 * (old[E::GAP_SLOT] + next[E::GAP_SLOT]);
+      const double ln_u = 0.5 * (old[E::GAP_SLOT + 1] + next[E::GAP_SLOT + 1]);
+      const bool rubs = after.cone > 0.0;
+      flow_loss(flow_response(f, g, u_a, ln_u, rubs), strain_of_step(f, m), dt,
+                0.5 * (before.film + after.film), loss);
+      m = tangential_films<E>(f, g, m, u_a, ln_u, dt, rubs).seen;
+    }
     const double kr = c.kt * g.a * g.a;
     auto old_vector = [&](int slot) {
       return turned(get_vector(old + slot), m.turn);
@@ -127,7 +143,7 @@ LUBCONTACT_FN inline Energies step_loss(const PairCoeffs &c, const Film &f, cons
       // friction and film slip together
       const double contact = split(after).contact;
       loss.of[FRICTION_CONTACT] = contact * heat;
-      loss.of[SHEAR_FILM] = (1.0 - contact) * heat;
+      loss.of[SHEAR_FILM] += (1.0 - contact) * heat;
     }
     if constexpr (E::roll)
       loss.of[ROLL_FILM] =

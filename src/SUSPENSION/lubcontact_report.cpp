@@ -37,7 +37,8 @@ static std::string effect_lines(const Law &law, unsigned effects)
     if (!row.label) continue;
     std::string more;
     if (row.bit == Lubcontact_NS::SQUEEZE) more = s.euler ? ", gap euler" : ", gap exponential";
-    if (row.bit == Lubcontact_NS::ROLL) more = fmt::format(", coefficient {:.6g}", s.roll_coeff);
+    if (row.bit == Lubcontact_NS::ROLL && s.range != Lubcontact_NS::Range::RESIDUAL)
+      more = fmt::format(", coefficient {:.6g}", s.roll_coeff);
     std::string state = "no";
     if (effects & row.bit) {
       const std::string idle = lubcontact_checks::idle(law, row.bit);

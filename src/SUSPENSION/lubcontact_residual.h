@@ -29,7 +29,6 @@
 
 #include "lubcontact_defs.h"
 #include "lubcontact_residual_fit.h"
-#include "lubcontact_vec3.h"
 
 namespace LAMMPS_NS::Lubcontact_NS {
 
@@ -90,22 +89,6 @@ template <int PART> LUBCONTACT_FN inline double residual(const ResidualPlace &p)
   return residual_rows<PART, 0, 5>(p.t, p.beta) - p.ln_u * residual_rows<PART, 6, 8>(p.t, p.beta);
 }
 
-// Rate of strain of the flow, traceless, 1/time.
-struct Strain {
-  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
-};
-
-LUBCONTACT_FN inline Vec3 strained(const Strain &E, const Vec3 &n)
-{
-  return {E.xx * n.x + E.xy * n.y + E.xz * n.z, E.xy * n.x + E.yy * n.y + E.yz * n.z,
-          E.xz * n.x + E.yz * n.y + E.zz * n.z};
-}
-
-// What the normal mode needs of a pair: e and delta.
-struct PairStrain {
-  double e = 0.0, delta = 0.0;
-};
-
 // Tangential modes, without their coupling: the force of the shear film acts off the middle of the
 // gap, at arms R_i + un/2 - lever and R_j + un/2 + lever, where the films of slip and roll do not
 // know of each other.
@@ -118,11 +101,23 @@ struct TangentialResidual {
   double turn;     // rolling rate over n x e_t without torque
 };
 
+LUBCONTACT_FN inline double residual_shear(const ResidualPlace &p)
+{
+  static constexpr double LEAST = 1e-12;    // of a fit that is positive
+  return larger(LEAST, residual<RESIDUAL_SHEAR>(p));
+}
+
+// The lever of TangentialResidual alone.
+LUBCONTACT_FN inline double residual_lever(double a, double delta, const ResidualPlace &p)
+{
+  return a * (residual<RESIDUAL_LEVER>(p) / residual_shear(p)) * delta;
+}
+
 LUBCONTACT_FN inline TangentialResidual tangential_residual(double viscosity, double a,
                                                             double delta, const ResidualPlace &p)
 {
-  static constexpr double LEAST = 1e-12;    // of a fit that is positive
-  const double shear = larger(LEAST, residual<RESIDUAL_SHEAR>(p));
+  static constexpr double LEAST = 1e-12;
+  const double shear = residual_shear(p);
   const double off = residual<RESIDUAL_LEVER>(p) / shear;
   const double slide = residual<RESIDUAL_SLIDE>(p);
   const double roll =

@@ -22,6 +22,8 @@
 
 #include "lubcontact_defs.h"
 #include "lubcontact_geometry.h"
+#include "lubcontact_polynomial.h"
+#include "lubcontact_residual.h"
 
 #include <cmath>
 
@@ -59,6 +61,22 @@ LUBCONTACT_FN inline PairStiffness pair_stiffness(double g, double kt, double sp
     return larger(kt * larger(twisting, larger(spinning, sliding)), g);
   };
   return {of(qi, bi), of(qj, bj)};
+}
+
+LUBCONTACT_FN inline PairStiffness larger_stiffness(const PairStiffness &a, const PairStiffness &b)
+{
+  return {larger(a.i, b.i), larger(a.j, b.j)};
+}
+
+// RESIDUAL: where the shear force of the film acts, which no contact rubs.
+LUBCONTACT_FN inline PairGeometry with_lever(PairGeometry g)
+{
+  const double delta = size_difference(g), u_a = larger(1e-6, g.un_a);
+  const ResidualPlace p = residual_place(u_a, logarithm(u_a), delta);
+  const double lever = residual_lever(g.a, delta, p);
+  g.arm_i -= lever;
+  g.arm_j += lever;
+  return g;
 }
 
 }    // namespace LAMMPS_NS::Lubcontact_NS

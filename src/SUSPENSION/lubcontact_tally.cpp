@@ -82,31 +82,53 @@ void LubcontactTally::add_stress(int i, int j, double weight, const PairGeometry
     const Vec3 &f = force_of.of[m];
     const double product[NUM_COMPONENTS] = {d.x * f.x, d.y * f.y, d.z * f.z, d.x * f.y, d.x * f.z,
                                             d.y * f.z, d.y * f.x, d.z * f.x, d.z * f.y};
-    if (stress_now)
-      for (int n = 0; n < NUM_COMPONENTS; n++) sums[m][n] += weight * product[n];
-    if (atoms_now)
-      for (int n = 0; n < NUM_COMPONENTS; n++) {
-        atoms[i][m][n] += 0.5 * product[n];
-        atoms[j][m][n] += 0.5 * product[n];
-      }
+    add(i, j, weight, static_cast<Lubcontact_NS::Channel>(m), product);
   }
+}
+
+void LubcontactTally::add(int i, int j, double weight, Lubcontact_NS::Channel m,
+                          const double *product)
+{
+  if (stress_now)
+    for (int n = 0; n < NUM_COMPONENTS; n++) sums[m][n] += weight * product[n];
+  if (atoms_now)
+    for (int n = 0; n < NUM_COMPONENTS; n++) {
+      atoms[i][m][n] += 0.5 * product[n];
+      atoms[j][m][n] += 0.5 * product[n];
+    }
+}
+
+/* ----------------------------------------------------------------------
+   forces that repel are positive: minus the stresslet
+------------------------------------------------------------------------- */
+
+void LubcontactTally::add_stresslet(int i, int j, double weight,
+                                    const Lubcontact_NS::FilmStresslet &stresslet)
+{
+  auto add_part = [&](Lubcontact_NS::Channel m, const Lubcontact_NS::SymmetricTensor &s) {
+    const double product[NUM_COMPONENTS] = {-s.xx, -s.yy, -s.zz, -s.xy, -s.xz,
+                                            -s.yz, -s.xy, -s.xz, -s.yz};
+    add(i, j, weight, m, product);
+  };
+  add_part(Lubcontact_NS::LUBRICATION_NORMAL, stresslet.normal);
+  add_part(Lubcontact_NS::LUBRICATION_TANGENTIAL, stresslet.tangential);
 }
 
 /* ---------------------------------------------------------------------- */
 
-static void add(double weight, const Energies &energies, Energies &sum)
+static void add_to(double weight, const Energies &energies, Energies &sum)
 {
   for (int m = 0; m < Lubcontact_NS::NUM_ORIGINS; m++) sum.of[m] += weight * energies.of[m];
 }
 
 void LubcontactTally::add_stored(double weight, const Energies &energies)
 {
-  add(weight, energies, kept);
+  add_to(weight, energies, kept);
 }
 
 void LubcontactTally::add_heat(double weight, const Energies &energies)
 {
-  add(weight, energies, lost);
+  add_to(weight, energies, lost);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -40,6 +40,7 @@ class LubcontactTally : protected Pointers {
   // of the pair (i,j), of which this rank has the share `weight`
   void add_stress(int i, int j, double weight, const Lubcontact_NS::PairGeometry &,
                   const Lubcontact_NS::Load &);
+  void add_stresslet(int i, int j, double weight, const Lubcontact_NS::FilmStresslet &);
   void add_stored(double weight, const Lubcontact_NS::Energies &);
   void add_heat(double weight, const Lubcontact_NS::Energies &);
 
@@ -68,6 +69,7 @@ class LubcontactTally : protected Pointers {
   Lubcontact_NS::Energies lost, kept;
 
   bool announced(const std::vector<Compute *> &) const;
+  void add(int i, int j, double weight, Lubcontact_NS::Channel, const double *product);
 };
 
 }    // namespace LAMMPS_NS

@@ -13,6 +13,7 @@
 #include "atom_vec.h"
 #include "citeme.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "input.h"
@@ -135,13 +136,23 @@ void PairLubcontact::compute(int eflag, int vflag)
 
   // the virial instead of what ev_tally_xyz() sums: the same bits, whatever else this step asks for
   double cell_virial[6];
-  LubcontactStep step{
-      *pairs,           *sums, *film, given->euler, vflag_global ? cell_virial : nullptr, nullptr,
-      eflag_either != 0};
+  LubcontactStep step{*pairs,
+                      *sums,
+                      *film,
+                      given->euler,
+                      vflag_global ? cell_virial : nullptr,
+                      nullptr,
+                      nullptr,
+                      eflag_either != 0};
   if (eflag_either || vflag_atom)
     step.tally_atoms = [this](int i, int j, double energy, const Vec3 &f, const Vec3 &d) {
       ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, energy, 0.0, f.x, f.y, f.z, d.x, d.y,
                    d.z);
+    };
+  if (film->residual && vflag_atom)
+    step.tally_stresslet = [this](int i, int j, const Lubcontact_NS::SymmetricTensor &s) {
+      v_tally_tensor(i, j, atom->nlocal, force->newton_pair, -s.xx, -s.yy, -s.zz, -s.xy, -s.xz,
+                     -s.yz);
     };
   instance->loop(lmp, step);
   if (vflag_global) std::copy_n(cell_virial, 6, virial);
@@ -159,7 +170,9 @@ void PairLubcontact::init_style()
                "Pair style lubcontact needs velocities of ghost atoms; add: comm_modify vel yes");
   lubcontact_checks::check_factors(lmp);
   check_variable();
-  *instance = find_instance(present_effects(coeffs->law(*given, false)));
+  lubcontact_checks::check_residual(lmp, *given);
+  const bool residual = given->range == Lubcontact_NS::Range::RESIDUAL;
+  *instance = find_instance(present_effects(coeffs->law(*given, false)), residual);
   const int size = instance->history.size;
   if (comm->style == Comm::TILED && force->newton_pair && size)
     error->all(FLERR,
@@ -257,54 +270,6 @@ void PairLubcontact::visit_pairs(const Visitor &visit) const
   pairs->visit(instance->covering, *film, visit);
 }
 
-/* ----------------------------------------------------------------------
-   sum over the partners of each atom of the stiffest mode of a pair, particles turning as easily as
-   spin says, or of each if that is given. Returns the number of pairs in range on this rank
-------------------------------------------------------------------------- */
-
-double PairLubcontact::sum_over_partners(double spin, double each)
-{
-  of_partners.assign(atom->nlocal + atom->nghost, 0.0);
-  const bool roll = given->films & Lubcontact_NS::ROLL, twist = given->films & Lubcontact_NS::TWIST;
-  double number = 0.0;
-  pairs->each([&](const LubcontactPairs::Acting &p) {
-    Lubcontact_NS::PairStiffness k{each, each};
-    if (each == 0.0) {
-      const auto &c = pairs->range().of(atom->type[p.i], atom->type[p.j]);
-      k = Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, pairs->geometry(p.i, p.j, p.a),
-                                        atom->radius[p.i], atom->radius[p.j], roll, twist);
-    }
-    of_partners[p.i] += k.i;
-    of_partners[p.j] += k.j;
-    number += p.weight;
-  });
-  if (force->newton_pair) comm->reverse_comm(this);
-  return number;
-}
-
-void PairLubcontact::count_partners(std::vector<double> &sum)
-{
-  sum_over_partners(0.0, 1.0);
-  sum.swap(of_partners);
-}
-
-void PairLubcontact::sum_stiffness(double spin, std::vector<double> &sum)
-{
-  sum_over_partners(spin, 0.0);
-  sum.swap(of_partners);
-}
-
-int PairLubcontact::pack_reverse_comm(int n, int first, double *buf)
-{
-  for (int m = 0; m < n; m++) buf[m] = of_partners[first + m];
-  return n;
-}
-
-void PairLubcontact::unpack_reverse_comm(int n, int *list, double *buf)
-{
-  for (int m = 0; m < n; m++) of_partners[list[m]] += buf[m];
-}
-
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::setup()
@@ -313,13 +278,13 @@ void PairLubcontact::setup()
   lubcontact_checks::check_box(lmp, longest);
   update_viscosity();
   pairs->find_faces(*given);
-  const double number = sum_over_partners(SPIN_OF_INERTIA, 0.0);
+  const double number = sum_over_partners(SPIN_OF_INERTIA);
   std::vector<double> stiffness = of_partners;
   const auto everyone = all(lmp);    // a particle feels the springs of every sub-style
   for (PairLubcontact *other : everyone) {
     if (other == this) continue;
     other->pairs->find_faces(*other->given);    // its own set-up may come later
-    other->sum_over_partners(SPIN_OF_INERTIA, 0.0);
+    other->sum_over_partners(SPIN_OF_INERTIA);
     for (int i = 0; i < atom->nlocal; i++) stiffness[i] += other->of_partners[i];
   }
   dt_limit = lubcontact_checks::step_limit(lmp, stiffness);
@@ -333,7 +298,10 @@ void PairLubcontact::setup()
     lubcontact_checks::check_hybrid(lmp, this, acting);
     lubcontact_checks::check_coefficients(lmp, acting, !viscosity_variable.empty());
     lubcontact_checks::check_motion(lmp, instance->effects);
-    if (particles.number > 0.0) lubcontact_checks::check_repulsion(lmp, acting, particles.smallest);
+    if (particles.number > 0.0) {
+      lubcontact_checks::check_repulsion(lmp, acting, particles.smallest);
+      lubcontact_checks::check_sizes(lmp, *given, particles.smallest, particles.largest);
+    }
     double sum;
     MPI_Allreduce(&number, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
     report_lubcontact(lmp, acting, viscosity_variable,
@@ -382,6 +350,7 @@ void PairLubcontact::update_viscosity()
                  viscosity_variable, given->viscosity);
   }
   *film = film_of(*given);
+  if (film->residual) film->strain = Suspension_NS::cell_strain(domain);
 }
 
 double PairLubcontact::viscosity() const

@@ -52,7 +52,7 @@ static int parse_range(LAMMPS *lmp, int narg, char **arg, Settings &s)
     return 2;
   }
   bool found = false;
-  for (const Range range : {Range::CUT, Range::SHIFTED, Range::VORONOI})
+  for (const Range range : {Range::CUT, Range::SHIFTED, Range::VORONOI, Range::RESIDUAL})
     if (rule == Lubcontact_NS::RANGE_NAME[static_cast<int>(range)]) {
       s.range = range;
       found = true;
@@ -60,7 +60,8 @@ static int parse_range(LAMMPS *lmp, int narg, char **arg, Settings &s)
   if (!found)
     error->all(
         FLERR, 2,
-        "Pair style lubcontact range must be default or cut or shifted or voronoi, but is {}",
+        "Pair style lubcontact range must be default or cut or shifted or voronoi or residual, "
+        "but is {}",
         rule);
   if (s.range == Range::VORONOI && !RadicalTessellation::has_library())
     error->all(FLERR, 2, "Pair style lubcontact range voronoi {}", RadicalTessellation::NO_LIBRARY);
@@ -70,6 +71,11 @@ static int parse_range(LAMMPS *lmp, int narg, char **arg, Settings &s)
   if (!(s.reach_a > 0.0))
     error->all(FLERR, 3, "Pair style lubcontact range must be > 0 effective radii, but is {}",
                s.reach_a);
+  if (s.range == Range::RESIDUAL && s.reach_a > Lubcontact_NS::RESIDUAL_END_A)
+    error->all(FLERR, 3,
+               "Pair style lubcontact range residual must be <= {} effective radii, beyond which "
+               "nothing is left, but is {}",
+               Lubcontact_NS::RESIDUAL_END_A, s.reach_a);
   return 3;
 }
 
@@ -106,7 +112,7 @@ static void parse_keyword(LAMMPS *lmp, int iarg, const std::string &key, const s
 void PairLubcontact::settings(int narg, char **arg)
 {
   require_words(FLERR, error, "pair_style lubcontact", narg + 2,
-                "pair_style lubcontact eta default|cut|shifted|voronoi ...");
+                "pair_style lubcontact eta default|cut|shifted|voronoi|residual ...");
   const Suspension_NS::InputNumber eta(lmp, arg[0]);
   Settings s;
   s.viscosity = eta.is_number() ? eta.value : NAN;    // until a run evaluates it
@@ -138,6 +144,18 @@ void PairLubcontact::settings(int narg, char **arg)
                "Pair style lubcontact rollcoeff cannot act with roll no: remove one of them");
   if (!(s.films & Lubcontact_NS::SQUEEZE) && gap_given)
     error->all(FLERR, "Pair style lubcontact gap cannot act with squeeze no: remove one of them");
+  if (s.range == Range::RESIDUAL) {
+    if (s.radius != Radius::HARMONIC)
+      error->all(FLERR, "Pair style lubcontact range residual needs radius harmonic");
+    if (roll_coeff_given)
+      error->all(FLERR,
+                 "Pair style lubcontact rollcoeff cannot act with range residual, which has the "
+                 "torque of two spheres: remove one of them");
+    if (!(s.films & Lubcontact_NS::SQUEEZE))
+      error->all(FLERR,
+                 "Pair style lubcontact range residual needs the squeeze film: without films use "
+                 "range cut");
+  }
 
   *given = s;
   viscosity_variable = eta.variable;

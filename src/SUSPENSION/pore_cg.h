@@ -23,7 +23,11 @@ namespace LAMMPS_NS::Pore_NS {
 struct Convergence {
   int iterations = 0;
   double residual = 0.0;    // over that of p = 0
+  bool positive = true;     // the preconditioner, as far as it was seen
 };
+
+// r.r, or r.P^-1 r: if P is near to A, the latter is the square of the error, e.A e.
+enum class Measure { RESIDUAL, PRECONDITIONED };
 
 inline double scalar_product(const std::vector<double> &a, const std::vector<double> &b)
 {
@@ -39,12 +43,19 @@ inline double scalar_product(const std::vector<double> &a, const std::vector<dou
 template <class Apply, class Precondition, class Product>
 Convergence solve_by_products(const Apply &apply, const Precondition &precondition,
                               const Product &product, const std::vector<double> &rhs,
-                              double tolerance, int most, std::vector<double> &p)
+                              double tolerance, int most, std::vector<double> &p,
+                              Measure measure = Measure::RESIDUAL)
 {
   const std::size_t size = rhs.size();
+  const bool plain = measure == Measure::RESIDUAL;
   std::vector<double> r(size), z, d, y;
   Convergence found;
-  const double whole = std::sqrt(product(rhs, rhs));
+  if (!plain) precondition(rhs, z);
+  const double whole = product(rhs, plain ? rhs : z);
+  if (!plain && whole < 0.0) {
+    found.positive = false;
+    return found;
+  }
   if (!(whole > 0.0)) {
     p.assign(size, 0.0);
     return found;
@@ -53,10 +64,15 @@ Convergence solve_by_products(const Apply &apply, const Precondition &preconditi
   for (std::size_t n = 0; n < size; n++) r[n] = rhs[n] - y[n];
   double rz = 0.0;
   for (;; found.iterations++) {
-    found.residual = std::sqrt(product(r, r)) / whole;
-    if (!(found.residual > tolerance) || found.iterations == most) return found;
-    precondition(r, z);
-    const double next = product(r, z);
+    if (!plain) precondition(r, z);
+    const double square = product(r, plain ? r : z);
+    found.residual = std::sqrt(square / whole);
+    if (!(found.residual > tolerance) && square >= 0.0) return found;
+    if (found.iterations == most) return found;
+    if (plain) precondition(r, z);
+    const double next = plain ? product(r, z) : square;
+    found.positive = !(next < 0.0);
+    if (!found.positive) return found;
     if (found.iterations == 0)
       d = z;
     else

@@ -137,6 +137,12 @@ Suspension_NS::CellGradient Suspension_NS::cell_gradient(const Domain *domain)
   return l;
 }
 
+Lubcontact_NS::Strain Suspension_NS::cell_strain(const Domain *domain)
+{
+  const CellGradient l = cell_gradient(domain);
+  return Lubcontact_NS::strain_of_gradient(l.xx, l.yy, l.zz, l.xy, l.xz, l.yz);
+}
+
 Suspension_NS::CellFlow::CellFlow(const Domain *domain)
 {
   if (!domain->deform_flag) return;

@@ -13,6 +13,8 @@
 #ifndef LMP_SUSPENSION_HOST_H
 #define LMP_SUSPENSION_HOST_H
 
+#include "lubcontact_strain.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -58,6 +60,7 @@ struct CellGradient {
   double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
 };
 CellGradient cell_gradient(const Domain *);
+Lubcontact_NS::Strain cell_strain(const Domain *);    // without a change of volume
 
 // Velocity of the deforming cell at this moment; 0 if it does not deform.
 class CellFlow {

@@ -194,6 +194,9 @@ class GridMobility {
     for (const double a : all.radius) bodies.push_back(make_body(a, use.width));
     for (int r = 0; r < use.ranks; r++) {
       solvers.push_back(std::make_unique<StokesSolver>(points, r, use.ranks));
+      solvers.back()->set_response(c, [eta](const WaveVector &wave) {
+        return stokes_factors(wave, eta);
+      });
       Vec3 low{1e300, 1e300, 1e300}, high = -1.0 * low;
       for (std::size_t i = r; i < all.size(); i += use.ranks) {
         const Vec3 g = lattice_place(lattice, all.x[i]);
@@ -270,11 +273,14 @@ class GridMobility {
   {
     const int ranks = settings.ranks;
     std::vector<Numbers> fields;
+    std::vector<Stencils> stencils(ranks);
     for (int r = 0; r < ranks; r++) {
-      Stencil stencil(lattice);
-      Numbers field(3 * bricks[r].points());
-      for (std::size_t i = r; i < load.size(); i += ranks)
-        spread(stencil, lattice, bricks[r], spheres.x[i], bodies[i], load[i], field.data());
+      stencils[r].start(lattice, bricks[r]);
+      Numbers field(3 * bricks[r].points() + Stencils::PADDING);
+      for (std::size_t i = r; i < load.size(); i += ranks) {
+        stencils[r].add(spheres.x[i]);
+        spread(stencils[r], i / ranks, bodies[i], load[i], field.data());
+      }
       fields.push_back(field);
     }
     for (int to = 0; to < ranks; to++) {
@@ -295,19 +301,16 @@ class GridMobility {
         unpack_brick(bricks[r], points, solver.layers(), sent.data(), fields[r].data());
       }
     }
-    for (int r = 0; r < ranks; r++) {
-      Stencil stencil(lattice);
+    for (int r = 0; r < ranks; r++)
       for (std::size_t i = r; i < load.size(); i += ranks)
-        motion[i] =
-            interpolate(stencil, lattice, bricks[r], spheres.x[i], bodies[i], fields[r].data());
-    }
+        motion[i] = interpolate(stencils[r], i / ranks, bodies[i], fields[r].data());
   }
 
   void solve() const
   {
     for (const auto &solver : solvers) solver->to_waves();
     exchange_of_ranks(solvers, &StokesSolver::of_forces);
-    for (const auto &solver : solvers) solver->respond(lattice.cell, viscosity);
+    for (const auto &solver : solvers) solver->respond();
     exchange_of_ranks(solvers, &StokesSolver::of_waves);
     for (const auto &solver : solvers) solver->to_velocities();
   }

@@ -34,7 +34,8 @@ TEST(Marks, AreOnEveryFunction)
                            "lubcontact_normal", "lubcontact_maxwell",    "lubcontact_shear",
                            "lubcontact_roll",   "lubcontact_twist",      "lubcontact_friction",
                            "lubcontact_pair",   "lubcontact_repulsion",  "lubcontact_power",
-                           "fluid_drag",        "lubcontact_stiffness",  "fluid_flow"};
+                           "fluid_drag",        "lubcontact_stiffness",  "fluid_flow",
+                           "lubcontact_strain", "lubcontact_residual",   "lubcontact_stresslet"};
   const char *absent[] = {"std::min",    "std::max",    "std::clamp", "std::array",
                           "std::vector", "std::string", "throw ",     "virtual "};
   for (const std::string header : headers) {

@@ -27,10 +27,13 @@ std::vector<double> solve(const Cell &cell, const std::vector<double> &forces, i
     const std::size_t from = static_cast<std::size_t>(s.layers().first) * POINTS[0] * POINTS[1];
     for (int c = 0; c < 3; c++)
       std::copy_n(&forces[c * all] + from, s.points(), s.field() + c * s.points());
+    s.set_response(cell, [](const WaveVector &wave) {
+      return stokes_factors(wave, ETA);
+    });
     s.to_waves();
   }
   exchange_of_ranks(solvers, &StokesSolver::of_forces);
-  for (const auto &s : solvers) s->respond(cell, ETA);
+  for (const auto &s : solvers) s->respond();
   exchange_of_ranks(solvers, &StokesSolver::of_waves);
   std::vector<double> u(forces.size());
   for (const auto &s : solvers) {
@@ -102,6 +105,36 @@ TEST(HydroSolve, ConstantsAndShortestWavesAreLeftOut)
     for (const double u :
          solve(tilted_cell(), wave_field(Wave(tilted_cell(), m[0], m[1], m[2]), one, {}), 1))
       EXPECT_NEAR(u, 0.0, 1e-14);
+}
+
+// any factors across and along the wave vector
+TEST(HydroSolve, FactorsOfAWave)
+{
+  const Wave w(tilted_cell(), 2, -1, 3);
+  Random rnd(33);
+  const Vec3 cosine = rnd.vector(1.0), sine = rnd.vector(1.0);
+  StokesSolver s(POINTS, 0, 1);
+  s.set_response(tilted_cell(), [&](const WaveVector &wave) {
+    if (wave.number[0] == 2 && wave.number[1] == -1 && wave.number[2] == 3) {
+      EXPECT_LT(norm(wave.k - w.k), 1e-13);
+      EXPECT_NEAR(wave.square, dot(w.k, w.k), 1e-13);
+    }
+    return WaveFactors{0.3, -2.0};
+  });
+  const auto response = [&](const Vec3 &f) {
+    const Vec3 along = dot(w.k, f) / dot(w.k, w.k) * w.k;
+    return 480.0 * (0.3 * (f - along) - 2.0 * along);
+  };
+  const auto forces = wave_field(w, cosine, sine);
+  std::copy(forces.begin(), forces.end(), s.field());
+  s.to_waves();
+  std::copy_n(s.outbox(), s.of_forces()[0], s.inbox());
+  s.respond();
+  std::copy_n(s.outbox(), s.of_waves()[0], s.inbox());
+  s.to_velocities();
+  const auto expected = wave_field(w, response(cosine), response(sine));
+  for (std::size_t n = 0; n < expected.size(); n++)
+    EXPECT_NEAR(s.field()[n], expected[n] / 480.0, 1e-13);
 }
 
 // as many as there are layers, and more: some have none

@@ -112,6 +112,41 @@ TEST(PoreCg, NothingToDo)
   for (double x : q) EXPECT_EQ(x, 0.0);    // a matrix of zeros has no solution
 }
 
+// with an exact preconditioner it is the error, measured by the matrix
+TEST(PoreCg, ResidualInThePreconditionerIsTheError)
+{
+  const double diagonal[4] = {1.0, 4.0, 9.0, 100.0};
+  const auto apply = [&](const Vector &p, Vector &y) {
+    y.resize(4);
+    for (int n = 0; n < 4; n++) y[n] = diagonal[n] * p[n];
+  };
+  const auto exact = [&](const Vector &r, Vector &z) {
+    z.resize(4);
+    for (int n = 0; n < 4; n++) z[n] = r[n] / diagonal[n];
+  };
+  const Vector rhs = {1.0, 4.0, 9.0, 100.0};
+  Vector p = {1.0, 1.0, 1.0, 1.01};
+  const auto found =
+      solve_by_products(apply, exact, scalar_product, rhs, 0.05, 9, p, Measure::PRECONDITIONED);
+  EXPECT_EQ(found.iterations, 0);
+  EXPECT_NEAR(found.residual, std::sqrt(100.0 * 1e-4 / 114.0), 1e-12);
+}
+
+TEST(PoreCg, SaysThatThePreconditionerIsNotPositive)
+{
+  testing_tools::Random rnd(45);
+  const Chain a = random_chain(rnd, 12, true);
+  const auto negative = [](const Vector &r, Vector &z) {
+    z = r;
+    z[3] *= -50.0;
+  };
+  Vector rhs(12), p(12, 0.0);
+  rhs[3] = 1.0;
+  for (const auto measure : {Measure::RESIDUAL, Measure::PRECONDITIONED})
+    EXPECT_FALSE(
+        solve_by_products(a, negative, scalar_product, rhs, 1e-9, 50, p, measure).positive);
+}
+
 TEST(PoreCg, StopsWhereTheOtherRanksStop)
 {
   testing_tools::Random rnd(46);

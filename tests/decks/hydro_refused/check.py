@@ -7,6 +7,7 @@ STYLE = "fix h all hydro"
 F = STYLE + " grid every 1"
 M = STYLE + " mean"
 SHEAR = "\nfix d all deform 1 xy erate 0.1 remap v"
+NO_FILMS = "pair_style lubcontact 1 cut 0.5 squeeze no shear no roll no twist no\npair_coeff * * 1 1\n"
 CASES = [    # lines in place of the fix, message, underlined word or None, variables
     (STYLE, "missing argument: level", None),
     (STYLE + " fine", "level must be mean or grid, but is fine", "fine"),
@@ -53,12 +54,18 @@ CASES = [    # lines in place of the fix, message, underlined word or None, vari
     (F + " viscosity v_minus", "viscosity must be > 0, but is -1 at step 0", None),
     (F + " viscosity v_later", "viscosity must be > 0, but is 0 at step 1", None),
     (F + "\npair_style zero 2\npair_coeff * *", "there is no pair style lubcontact; give the viscosity instead of pair", None),
-    (F + "\npair_style lubcontact v_eta cut 0.5\npair_coeff * * 1 1", "give the viscosity instead of pair", None),
+    (F + "\npair_style lubcontact v_eta residual 0.5\npair_coeff * * 1 1", "give the viscosity instead of pair", None),
     (STYLE + " grid", "solves every 0.01 of strain, but the cell does not deform: use fix deform/rheometer, or every n", None),
     (F + SHEAR.replace("remap v", "remap x"), "add to fix deform: remap v", None),
     (F + SHEAR.replace("all deform", "some deform"), "use group all for fix d", None),
     (F, "use: atom_style sphere", None, {"atoms": "atomic"}),
-    (F, "works in 3d only", None, {"dim": 2, "boundary": "p p p", "thick": "-1 1"}),
+    ("pair_style lubcontact 1 cut 0.5\npair_coeff * * 1 1\n" + F, "a part of the films of pair_style lubcontact ... cut, which would act twice: use "
+     "range residual, or switch the films off", None),
+    (M + "\npair_style lubcontact 1 residual 1\npair_coeff * * 1 1", "Fix hydro mean has no far field that would leave films of range residual: use "
+     "range cut, or fix hydro grid", None),
+    ("", "range residual is what fix hydro grid leaves to the films: add this fix, or use range cut", None),
+    (F, "range residual is for spheres in 3d: use range cut", None, {"dim": 2, "boundary": "p p p", "thick": "-1 1"}),
+    (NO_FILMS + F, "works in 3d only", None, {"dim": 2, "boundary": "p p p", "thick": "-1 1"}),
     (F, "but y is not: use boundary p p p", None, {"boundary": "p f p"}),
     (F + "\nrun_style respa 2 2 pair 1", "does not work with run_style respa", None),
     (F + "\nset atom 2 diameter 0", "atom 2 has no radius", None),
@@ -70,13 +77,18 @@ CASES = [    # lines in place of the fix, message, underlined word or None, vari
     (F + "\nfix p all pore/pressure 1", "describe the same fluid twice: remove one of them", None),
     ("unfix move\ngroup a id 1\ngroup b id 2\ngroup m id 3\nfix c m rheometer/plates a b rate 0 gap\n" + F, "the plates of fix c would be spheres", None, {"boundary": "p m p"}),
     (F + "\nfix b some drag/background 1", "has the drag of 2 particles already: remove fix b drag/background", None),
-    ("unfix move\nfix o all overdamped/sphere 1\n" + F, "fix o overdamped/sphere, which has a drag of its own: use fix nve/sphere", None),
+    ("unfix move\nfix o all overdamped/sphere 1\n" + F, "fix o overdamped/sphere, which has a drag of its own: use fix o overdamped/sphere hydro", None),
+    ("unfix move\nfix o all overdamped/sphere 1\n" + M, "fix o overdamped/sphere, which has a drag of its own on all: use fix nve/sphere", None),
+    ("unfix move\nfix o all overdamped/sphere hydro\n" + M, "needs a fix hydro grid, which has the drag of all particles", None),
+    (NO_FILMS + "unfix move\nfix o all overdamped/sphere hydro", "needs a fix hydro grid, which has the drag of all particles", None),
+    ("unfix move\nfix o all overdamped/sphere hydro cell", "has its fluid elsewhere: cell cannot act; remove it", "cell"),
+    ("unfix move\nfix o all overdamped/sphere hydro\n" + F.replace("all", "some"), "which is not in the group of fix h: use the same group", None),
     ("neigh_modify exclude group some some\n" + F, "use neigh_modify exclude none", None),
     (F + "\nfix g all gravity 1 vector 0 -1 0", "Fix g gravity may add forces after fix hydro, which needs all other forces: "
      "define it before fix hydro", None),
 ]
 
-GOOD = (M, M + " viscosity v_eta isolated 2" + SHEAR, "fix p all pore/pressure 1 coupling off\n" + M, F + " hold auto", F + " hold 3 2", STYLE + " grid" + SHEAR, "fix g all gravity 1 vector 0 -1 0\n" + F + "\nfix a all ave/time 1 1 1 f_h[*]",
+GOOD = (NO_FILMS + F, "unfix move\nfix o all overdamped/sphere hydro\n" + F, "pair_style lubcontact 1 residual 2 shear no gap euler\npair_coeff * * 1 1\n" + F, M, M + " viscosity v_eta isolated 2" + SHEAR, "fix p all pore/pressure 1 coupling off\n" + M, F + " hold auto", F + " hold 3 2", STYLE + " grid" + SHEAR, "fix g all gravity 1 vector 0 -1 0\n" + F + "\nfix a all ave/time 1 1 1 f_h[*]",
         "fix h some hydro grid every 1\nfix w some setforce 0 0 0", F + " viscosity v_eta", F + " viscosity pair width 0.8 spacing 0.7 support 4 reach 6")
 TEMPLATE = (deck.CASE / "in.refused").read_text()
 USUAL = {"atoms": "sphere", "boundary": "p p p", "dim": 3, "thick": "0 12"}
@@ -85,7 +97,8 @@ USUAL = {"atoms": "sphere", "boundary": "p p p", "dim": 3, "thick": "0 12"}
 def run(fix, fails=True, **variables):
     """The deck with the values written into it: LAMMPS cannot underline a word that came from a variable."""
     text = TEMPLATE
-    for name, value in {**USUAL, **variables, "fix": fix}.items():
+    films = "cut 0.5" if M in fix else "residual 0.5"
+    for name, value in {**USUAL, "range": films, **variables, "fix": fix}.items():
         text = text.replace("${" + name + "}", str(value))
     if variables.get("dim") == 2:
         text = text.replace(" 0.1\n", " 0\n")

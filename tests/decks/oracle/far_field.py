@@ -40,18 +40,19 @@ def mobility(cell, x, radius, smallest=1e-11):
     k2 = np.sum(k * k, axis=1)
     k, k2 = k[k2 < most**2], k2[k2 < most**2]
     whole = np.zeros((11 * n, 11 * n))
-    for part in np.array_split(np.arange(len(k)), max(1, len(k) // 2000)):
+    for part in np.array_split(np.arange(len(k)), max(1, len(k) // 1000)):
         q, q2 = k[part], k2[part]
+        # u = (1 - qq/q^2) f/q^2: two directions across q, over q
+        across = np.linalg.svd(q[:, None, :])[2][:, 1:] / np.sqrt(q2)[:, None, None]
         phase = np.exp(-1j * q @ x.T)
         force = np.exp(-0.5 * q2[:, None] * width_m**2) * phase                      # wave, sphere
         dipole = -1j * np.exp(-0.5 * q2[:, None] * width_d**2) * phase
-        load = np.zeros((len(q), 3, n, 11), dtype=complex)
-        load[:, :, :, :3] = force[:, None, :, None] * np.eye(3)[None, :, None, :]
-        load[:, :, :, 3:] = dipole[:, None, :, None] * np.einsum("pjk,wk->wjp", DIPOLES, q)[:, :, None, :]
-        load = load.reshape(len(q), 3, 11 * n)
-        along = np.einsum("wj,wja->wa", q, load) / q2[:, None]
-        u = (load - q[:, :, None] * along[:, None, :]) / q2[:, None, None]
-        whole += 2 * np.einsum("wja,wjb->ab", load.conj(), u, optimize=True).real
+        load = np.empty((len(q), 2, n, 11), dtype=complex)
+        load[:, :, :, :3] = force[:, None, :, None] * across[:, :, None, :]
+        load[:, :, :, 3:] = dipole[:, None, :, None] * np.einsum("wdj,pjk,wk->wdp", across, DIPOLES, q)[:, :, None, :]
+        load = load.reshape(-1, 11 * n)
+        for half in (np.ascontiguousarray(load.real), np.ascontiguousarray(load.imag)):
+            whole += 2 * half.T @ half
     return whole / np.linalg.det(cell)
 
 

@@ -3,8 +3,8 @@ import deck
 
 STYLE, COEFF = "lubcontact 1.0 cut 0.5", "* * 1e4 5e3"
 CASES = [    # what is wrong, message, underlined word or None
-    ({"style": "lubcontact"}, "missing argument: eta default|cut|shifted|voronoi; write: pair_style lubcontact eta ", None),
-    ({"style": "lubcontact 1.41"}, "missing argument: default|cut|shifted|voronoi; write: pair_style lubcontact eta default|", None),
+    ({"style": "lubcontact"}, "missing argument: eta default|cut|shifted|voronoi|residual; write: pair_style lubcontact eta ", None),
+    ({"style": "lubcontact 1.41"}, "missing argument: default|cut|shifted|voronoi|residual; write: pair_style lubcontact eta default|", None),
     ({"style": "lubcontact 1.0 cut"}, "missing argument: hc; write: cut hc", None),
     ({"style": "lubcontact -1.0 cut 0.5"}, "viscosity must be >= 0, but is -1", "-1.0"),
     ({"style": "lubcontact one cut 0.5"}, "instead of 'one'", None),
@@ -12,8 +12,12 @@ CASES = [    # what is wrong, message, underlined word or None
     ({"style": "lubcontact v_style cut 0.5"}, "is not equal-style", None),
     ({"style": "lubcontact 1.0 default 0.5 roll no"}, "range default takes no number, but found 0.5: write cut 0.5", "0.5"),
     ({"style": "lubcontact 1.0 default 0.5"}, "write cut 0.5", "0.5"),
-    ({"style": "lubcontact 1.0 near 0.5"}, "range must be default or cut or shifted or voronoi, but is near", "near"),
+    ({"style": "lubcontact 1.0 near 0.5"}, "range must be default or cut or shifted or voronoi or residual, but is near", "near"),
     ({"style": "lubcontact 1.0 cut 0"}, "range must be > 0 effective radii, but is 0", "0"),
+    ({"style": "lubcontact 1.0 residual 2.1"}, "range residual must be <= 2 effective radii, beyond which nothing is left, but is 2.1", "2.1"),
+    ({"style": "lubcontact 1.0 residual 1 radius mean"}, "range residual needs radius harmonic", None),
+    ({"style": "lubcontact 1.0 residual 1 rollcoeff 0.6"}, "rollcoeff cannot act with range residual", None),
+    ({"style": "lubcontact 1.0 residual 1 squeeze no"}, "range residual needs the squeeze film: without films use range cut", None),
     ({"style": "lubcontact 1.0 voronoi 0.5", "extra": "neighbor 0.3 multi\ncomm_modify mode multi"}, "use: comm_modify mode single", None),
     ({"style": STYLE + " gap newton"}, "gap must be exponential or euler, but is newton", "newton"),
     ({"style": STYLE + " radius big"}, "radius must be mean or harmonic, but is big", "big"),
