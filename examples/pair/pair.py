@@ -13,7 +13,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "decks"))
 from deck import Run    # noqa: E402  pylint: disable=wrong-import-position
-from oracle import exact_pair, normal_pair, sheared_pair    # noqa: E402  pylint: disable=wrong-import-position
+from oracle import normal_pair, sheared_pair    # noqa: E402  pylint: disable=wrong-import-position
 
 SPACING = 0.02    # time from one output of an encounter to the next
 WEIGHT = 4 / 3 * np.pi    # of the sphere that falls; times in eta/(a rho gravity)

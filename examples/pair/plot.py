@@ -48,13 +48,14 @@ def falling():
         ax.plot(t, u / 0.1, color=COLORS[1], label="$u/u_0$")
         ax.plot(t[::4], un_scipy[::4] / 0.1, "k.", ms=2.5, label="SciPy")
         ax.plot(t[::4], u_scipy[::4] / 0.1, "k.", ms=2.5)
-        ax.set(title=case, xlabel="time / time of free fall", ylim=(min(-0.1, un.min() / 0.1 - 0.1), 1.1))
-        inset = ax.inset_axes([0.5, 0.58, 0.47, 0.38])
+        low = min(-0.1, un.min() / 0.1 - 0.1)
+        ax.set(title=case, xlabel="time / time of free fall", ylim=(low, 1.1 + 0.6 * (1.1 - low)))    # the inset above
+        inset = ax.inset_axes([0.3, 0.67, 0.67, 0.3])
         inset.semilogy(t, u, color=COLORS[1], lw=1)
         inset.semilogy(t[::8], u_scipy[::8], "k.", ms=2)
         inset.tick_params(labelsize=6)
         if n == 0:
-            ax.legend(frameon=False, fontsize=8, loc="lower right")
+            ax.legend(frameon=False, fontsize=8, loc="center right")
         print(f"{case}: largest difference to SciPy, un {np.max(np.abs(un - un_scipy)) / 0.1:.1e} u0, "
               f"ln u {np.max(np.abs(np.log(u / u_scipy))):.1e}; smallest u {u.min():.1e}")
     ax = fig.add_subplot(grid[1, :2])
@@ -94,11 +95,11 @@ def paths():
                 if which:
                     x, y = select(rows, "x", "y", panel=which[0], range=which[1], offset=offset)
                     ax.plot(x, y, style, color=color, lw=0.9 if style == "--" else 1.4)
-        ax.set(title=title, xlabel="x/a", ylabel="y/a", xlim=(-4, 4), ylim=(0, 3.2))
+        ax.set(title=title, xlabel="x/a", ylabel="y/a", xlim=(-4, 4), ylim=(0, 3.4))
         names = [f"package, {first[1]}"] + ([f"package, {second[1]}" if second[0] == "smooth" else "the same, friction 0.5"] if second else [])
         handles = [plt.Line2D([], [], color=color, label=name) for color, name in zip((COLORS[0], COLORS[5]), names)]
         handles.append(plt.Line2D([], [], color="k", ls="--", lw=0.9, label="exact" if exact[0] == first[0] else "exact, hard"))
-        ax.legend(handles=handles, frameon=False, fontsize=8, loc="lower right")
+        ax.legend(handles=handles, frameon=False, fontsize=8, loc="upper right")
     ax = axes[1, 1]
     for eps, color in ((0.0, COLORS[0]), (0.05, COLORS[1])):
         y, z, y_out, z_out, y_exact, z_exact = select(sides, "y", "z", "y_out", "z_out", "y_exact", "z_exact", eps=eps)
@@ -110,7 +111,7 @@ def paths():
         print(f"off the plane, roughness {eps:g}: distance to the exact streamline {off.min():.3f} to {off.max():.3f}")
     ax.plot(z, y, ".", color="0.5", label="before")
     ax.set(title="off the plane of shear", xlabel="z/a", ylabel="y/a", aspect="equal")
-    ax.legend(frameon=False, fontsize=8)
+    ax.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.02, 0.5))
     fig.savefig("paths.png", dpi=110)
     plt.close(fig)
 
@@ -119,22 +120,25 @@ def gaps():
     rows, torque, out = read("gap.csv"), read("two_pi.csv"), read("out.csv")
     fig, axes = plt.subplots(1, 3, figsize=(15, 5), constrained_layout=True)
     ax = axes[0]
-    for n, films in enumerate(name for name in distinct(rows, "films") if name not in ("exact", "residual")):
+    for n, films in enumerate(name for name in distinct(rows, "films") if name != "exact"):
         offset, least, behind = select(rows, "offset", "least_gap", "out", films=films)
         style = "^--" if films.startswith("squeeze") else "s--" if films.startswith("shifted") else "o-"
         ax.loglog(offset, least, style, color=COLORS[n], ms=3, lw=1, label=films)
         print(f"{films}: least gap {least[0]:.2e} at offset {offset[0]:g}, streamline behind off by",
               " ".join(f"{value:.4f}" for value in behind - offset))
-    ax.loglog(*select(rows, "offset", "least_gap", films="exact"), "k-", lw=1.6, label="exact")
     offset, least = select(rows, "offset", "least_gap", films="squeeze film only")
     closed = np.array([squeezed(y, 0.5) for y in offset])
     ax.loglog(offset, closed, "-", color="0.5", lw=0.8, label="the same, closed form")
+    ax.loglog(*select(rows, "offset", "least_gap", films="exact"), "k-", lw=1.6, label="exact")
     print(f"squeeze film only: largest difference to the closed form {np.max(np.abs(least / closed - 1)):.1e}")
-    if "residual" in distinct(rows, "films"):
-        ax.loglog(*select(rows, "offset", "least_gap", films="residual"), "kD", mfc="none", ms=5, label="residual, fix hydro grid")
+    far = read("residual.csv") if Path("residual.csv").exists() else []
+    if far:
+        ax.loglog(*select(far, "offset", "least_gap"), "kD", mfc="none", ms=5, label="residual 1, fix hydro grid")
+    for row in far:
+        print("residual 1, offset {offset:g}: least gap {least_gap:.3g}, exact {least_exact:.3g}; y from {start:.4f} to {end:.4f}".format(**row))
     ax.loglog(*select(torque, "offset", "least_gap", torque="2 pi"), "r*", ms=7, label=r"cut 4, torque with $2\pi$")
     ax.set(xlabel="offset $d_0/a$", ylabel="least gap / a")
-    ax.legend(frameon=False, fontsize=8, loc="upper left")
+    ax.legend(frameon=False, fontsize=8, loc="lower right")
     ax = axes[1]
     for n, films in enumerate(distinct(out, "films")):
         for offset, style in ((0.01, "-"), (0.2, "--"), (0.5, ":")):
@@ -176,7 +180,7 @@ def streamlines():
     ax.plot([row["ca"] for row in checked], [eps.index(row["eps"]) + 0.2 for row in checked], "r.", ms=4, label="SciPy, too")
     ax.set(xscale="log", xlabel="Ca", ylabel=r"roughness $\varepsilon$", title="streamline behind - offset 0.01, over a")
     ax.set_yticks(places[:-1] + 0.5, [f"{value:g}" for value in eps])
-    ax.legend(loc="upper left", fontsize=8)
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), fontsize=8)
     fig.colorbar(image)
     fig.savefig("map.png", dpi=110)
     plt.close(fig)

@@ -9,10 +9,13 @@ from pathlib import Path
 import numpy as np
 
 import pair
-from pair import Encounter, Fall, encounters, exact_pair
+from pair import Encounter, Fall, encounters
+from oracle import exact_pair
 
 HARD, SLOW = 1e-4, 1e-3    # Ca and St where spheres shall be hard and without inertia
 OFFSETS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5)
+PATHS = (0.1, 0.3, 0.6, 1.0, 1.5)
+ANGLES = (15, 30, 45, 60, 75, 90)    # from the vorticity
 FAR = 30.0                 # from where and to where the exact paths go
 
 # how they end: St, roughness, contact number K = k eps a/weight
@@ -25,6 +28,7 @@ SQUEEZE = "shear no roll no twist no"
 FILMS = {"all films": {}, "no rolling film": {"more": "roll no"}, "no twisting film": {"more": "twist no"},
          "no shear film": {"more": "shear no"}, "squeeze film only": {"more": SQUEEZE}, "all films, no rotation": {"motion": "no_spin"},
          "squeeze film only, no rotation": {"more": SQUEEZE, "motion": "no_spin"}}
+OUT_RANGES, FILM_RANGES = ("cut 0.25", "cut 0.5", "cut 4"), ("cut 0.5", "cut 4")
 STARTS = ((0.2, 0.0), (0.5, 0.0), (0.35, 0.35))
 ROUGH = (1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1)
 SOFT = (1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2)
@@ -63,23 +67,22 @@ def thin(path, x_end=4.0, spacing=0.06):
 
 def paths():
     """In the plane of shear."""
-    offsets = (0.1, 0.3, 0.6, 1.0, 1.5)
     for panel, range_, surfaces in (("smooth", "cut 0.5", {}), ("smooth", "cut 4", {}), ("rough", "cut 0.5", {"eps": 0.05}),
                                     ("rough, friction", "cut 0.5", {"eps": 0.05, "friction": 0.5}), ("soft", "cut 0.5", {"ca": 0.01})):
         settings = {"ca": HARD, **surfaces}
-        found = encounters([Encounter(y, **settings) for y in offsets], stokes=SLOW, **RANGES[range_])
-        for offset, passage in zip(offsets, found):
+        found = encounters([Encounter(y, **settings) for y in PATHS], stokes=SLOW, **RANGES[range_])
+        for offset, passage in zip(PATHS, found):
             for point in thin((passage.x, passage.y)):
                 yield dict(zip(("panel", "range", "offset", "x", "y"), (panel, range_, offset, *point)))
     for panel, eps in (("smooth", 0.0), ("rough", 0.05)):
-        for offset in offsets:
+        for offset in PATHS:
             for point in thin(exact_pair.path((-FAR, offset), FAR, eps, fine=True)[0]):
                 yield dict(zip(("panel", "range", "offset", "x", "y"), (panel, "exact", offset, *point)))
 
 
 def off_plane():
     """Starts at 0.5 from the axis; where they come out."""
-    angles = np.radians((15, 30, 45, 60, 75, 90))
+    angles = np.radians(ANGLES)
     for eps in (0.0, 0.05):
         starts = [(0.5 * np.sin(angle), 0.5 * np.cos(angle)) for angle in angles]
         found = encounters([Encounter(y, z, eps=eps, ca=HARD) for y, z in starts], stokes=SLOW)
@@ -112,7 +115,7 @@ def two_pi():
 def out():
     """Streamlines behind of rough and of soft spheres."""
     names = ("films", "offset", "eps", "ca", "least_gap", "out", "exact")
-    for films in ("cut 0.25", "cut 0.5", "cut 4"):
+    for films in OUT_RANGES:
         pairs = [Encounter(offset, eps=eps, ca=HARD) for offset in (0.01, 0.2, 0.5) for eps in ROUGH]
         for each, passage in zip(pairs, encounters(pairs, stokes=SLOW, **RANGES[films])):
             exact = exact_pair.leave_contact(each.eps, FAR)    # the exact path comes closer than all of these
@@ -124,7 +127,7 @@ def out():
 
 
 def films():
-    for range_ in ("cut 0.5", "cut 4"):
+    for range_ in FILM_RANGES:
         for name, settings in FILMS.items():
             found = encounters([Encounter(y, z, ca=HARD) for y, z in STARTS], stokes=SLOW, **RANGES[range_], **settings)
             for (y, z), passage in zip(STARTS, found):
@@ -132,6 +135,17 @@ def films():
     for y, z in STARTS:
         path, least = exact_pair.path((-FAR, y, z), FAR)
         yield dict(zip(("range", "films", "y", "z", "least_gap", "y_out", "z_out"), ("exact", "exact", y, z, least, *path[1:, -1])))
+
+
+def residual():
+    """Films of range residual with the far field of fix hydro grid, in a cell of 24 a: from x = -3 a to 3 a."""
+    for offset, steps in ((1.0, 12000), (1.5, 8000), (0.5, 24000)):
+        exact, least = exact_pair.path((-FAR, offset), FAR, fine=True)
+        start = np.interp(-3.0, exact[0], exact[1])
+        table = pair.lammps(pair.ROOT / "tests" / "decks" / "residual" / "in.pair", pair.HERE, y=start, steps=steps).thermo()
+        gaps = table["c_gap"][table["c_gap"] > 0]
+        yield dict(zip(("offset", "start", "least_gap", "end", "least_exact"),
+                       (offset, start, np.min(gaps), np.interp(3.0, table["v_X"], table["v_Y"]), least)))
 
 
 def streamline_map():
@@ -146,7 +160,7 @@ def streamline_map():
 
 
 PARTS = {"falls": falls, "creep": creep, "paths": paths, "off_plane": off_plane, "gap": gap, "two_pi": two_pi, "out": out,
-         "films": films, "map": streamline_map}
+         "films": films, "residual": residual, "map": streamline_map}
 
 
 def write(path, rows):

@@ -22,32 +22,36 @@ def rows(name, *columns, **where):
 
 study.FALLS = {name: study.FALLS[name] for name in ("oscillating", "bouncing")}
 study.CREEP = {1e3: (0.0, 1e-3, 1e-2)}
-study.OFFSETS = (0.05, 0.2, 1.0)
-study.RANGES = {name: study.RANGES[name] for name in ("cut 0.25", "cut 0.5", "cut 4", "shifted 0.5")}
+study.OFFSETS, study.PATHS, study.ANGLES = (0.05, 0.2, 1.0), (0.3,), (45,)
+study.RANGES = {name: study.RANGES[name] for name in ("cut 0.25", "cut 0.5", "cut 4")}
+study.OUT_RANGES = study.FILM_RANGES = ("cut 0.5",)
 study.FILMS = {name: study.FILMS[name] for name in ("all films", "no rolling film", "squeeze film only")}
 study.TWO_PI = {"2 pi": (0.01,), "right": (0.2,)}
 study.ROUGH, study.SOFT = (0.01, 0.05), (1e-3, 1e-2)
 study.MAP_CA, study.MAP_EPS = np.array((1e-3, 1e-2)), (0.0, 0.02)
-study.MAP_SCIPY = [(1e-3, 0.0), (1e-3, 0.02), (1e-2, 0.02)]
+study.MAP_SCIPY = [(1e-3, 0.02), (1e-2, 0.02)]
 tables = {}
 for part, make in study.PARTS.items():
+    if part == "residual":    # deck residual
+        continue
     tables[part] = list(make())
     study.write(f"{part}.csv", tables[part])
 
 # a sphere that falls
 for case in study.FALLS:
     un, u, un_scipy, u_scipy = rows("falls", "un", "u", "un_scipy", "u_scipy", case=case)
-    expect_close(f"{case}: path against SciPy, over the fall", un / 0.1, un_scipy / 0.1, atol=0.02)
+    expect_close(f"{case}: path against SciPy, over the fall", un / 0.1, un_scipy / 0.1, atol=5e-3)
     expect("  it leaves the surface" if case == "bouncing" else "  the film holds it",
            (u[len(u) // 2:].max() > 0.02) == (case == "bouncing"), f"{u[len(u) // 2:].max():.3f}")
 for eps in study.CREEP[1e3]:
     u, closed = rows("creep", "u", "closed_form", eps=eps)
-    expect_close(f"creeps onto roughness {eps:g}: ln u against the closed form", np.log(u), np.log(closed), atol=5e-3)
+    expect_close(f"creeps onto roughness {eps:g}: ln u against the closed form", np.log(u), np.log(closed), atol=1e-4)
 
 # smooth and hard: exact streamlines, least gaps of the other code
-for name in ("cut 0.25", "cut 0.5", "shifted 0.5"):
+for name in ("cut 0.25", "cut 0.5"):
     offset, behind = rows("gap", "offset", "out", films=name)
-    expect_close(f"{name}: back on the streamline", behind, offset, atol=0.05)
+    grown = (behind**2 - offset**2) / study.HARD
+    expect(f"{name}: back on the streamline but for a softness of 1e-4", np.all((grown > 0) & (grown < 30)), str(grown))
 least, exact = (rows("gap", "least_gap", films=name)[0] for name in ("cut 0.5", "exact"))
 expect("films to 0.5 a keep spheres apart that come close", np.all(least[:2] > 50 * exact[:2]), str(least / exact))
 (wrong,), (right,) = (rows("two_pi", "least_gap", torque=name)[0] for name in study.TWO_PI)
@@ -56,7 +60,7 @@ expect_close("with the right torque as Yade has it", right, 4.46e-2, rtol=0.01)
 
 # rough: one streamline whatever the offset
 behind = rows("out", "out", films="cut 0.5", eps=0.05)[0]
-expect_close("roughness 0.05: streamline behind from offsets 0.01, 0.2 and 0.5", behind, np.mean(behind), rtol=0.01)
+expect_close("roughness 0.05: streamline behind from offsets 0.01, 0.2 and 0.5", behind, np.mean(behind), rtol=1e-3)
 
 # soft: out^2 - offset^2 grows with Ca
 ca, behind, offset = rows("out", "ca", "out", "offset", eps=0.0)
@@ -73,7 +77,7 @@ expect_close("squeeze film only: least gap, closed form", squeeze, [pair.squeeze
 # the map, beside SciPy
 for row in tables["map"]:
     if row["scipy"] != "":
-        expect_close(f"Ca {row['ca']:g}, roughness {row['eps']:g}: streamline behind", row["out"], row["scipy"], atol=2e-3)
+        expect_close(f"Ca {row['ca']:g}, roughness {row['eps']:g}: streamline behind", row["out"], row["scipy"], atol=1e-3)
 
 # exact paths of both kinds
 expect_close("exact smooth path", exact_pair.path((-30.0, 0.5), 30.0)[1], exact_pair.encounter(-30.0, 0.5, 30.0)[0], rtol=1e-2)
