@@ -88,6 +88,8 @@ class SceneAdviser : protected Pointers {
   // lines for the input script
   std::string law_words(const std::vector<Scene_NS::Verdict> &) const;
   std::string drag_line() const;
+  std::string fluid_line(const std::vector<Scene_NS::Verdict> &) const;
+  std::string viscosity_word() const;
   std::string room_for_inertia(bool) const;
   std::string deck_lines(const std::vector<Scene_NS::Verdict> &) const;
 

@@ -29,6 +29,28 @@ using Scene_NS::show;
 using Scene_NS::Verdict;
 
 /* ----------------------------------------------------------------------
+   a fluid far from the contacts, if there is none yet: with the drag of isolated particles in it
+------------------------------------------------------------------------- */
+
+std::string SceneAdviser::fluid_line(const std::vector<Verdict> &verdicts) const
+{
+  if (!modify->get_fix_by_style("^hydro").empty()) return "";
+  const bool walls = !modify->get_fix_by_style("^rheometer/plates").empty();
+  if (verdicts[Scene_NS::FAR_HYDRODYNAMICS].answer != Scene_NS::NEEDED || walls || overdamped())
+    return verdicts[Scene_NS::DRAG].answer == Scene_NS::NEEDED ? drag_line() : "";
+  const auto drags = modify->get_fix_by_style("^drag/background");
+  const std::string viscosity = viscosity_word();
+  return fmt::format("  fix far all hydro mean{}{}\n",
+                     viscosity == "pair" ? "" : " viscosity " + viscosity,
+                     drags.empty() ? "" : fmt::format("  # instead of fix {}", drags[0]->id));
+}
+
+std::string SceneAdviser::viscosity_word() const
+{
+  return !pair || Suspension_NS::viscosity_of_pair(lmp) ? "pair" : pair->viscosity_word();
+}
+
+/* ----------------------------------------------------------------------
    a drag towards what moves the particles, if there is none yet
 ------------------------------------------------------------------------- */
 
@@ -40,9 +62,7 @@ std::string SceneAdviser::drag_line() const
   if (!plates.empty())
     return fmt::format("  fix drag {} drag/background pair plates {}\n",
                        group->names[plates.front()->igroup], plates.front()->id);
-  const bool known_to_drag = !pair || Suspension_NS::viscosity_of_pair(lmp);
-  const std::string viscosity = known_to_drag ? "pair" : pair->viscosity_word();
-  return fmt::format("  fix drag all drag/background {} cell\n", viscosity);
+  return fmt::format("  fix drag all drag/background {} cell\n", viscosity_word());
 }
 
 /* ----------------------------------------------------------------------
@@ -95,7 +115,9 @@ std::string SceneAdviser::deck_lines(const std::vector<Verdict> &verdicts) const
     return "No input lines: what may be left out was measured in shear; define the flow before "
            "this command, or give rate g\n";
 
-  const unsigned idle = Scene_NS::with_answer(verdicts, Scene_NS::NOT_NEEDED);
+  unsigned idle = Scene_NS::with_answer(verdicts, Scene_NS::NOT_NEEDED);
+  if (law.settings.range == Lubcontact_NS::Range::RESIDUAL)    // films and far field are one
+    idle &= ~Lubcontact_NS::all_films();
   const unsigned films = Lubcontact_NS::all_films() & ~law.settings.films &
       Scene_NS::with_answer(verdicts, Scene_NS::NEEDED);
   Lubcontact_NS::Law use = without(law, idle);
@@ -118,7 +140,7 @@ std::string SceneAdviser::deck_lines(const std::vector<Verdict> &verdicts) const
     text +=
         "  # left out, not needed by the table above: " + Scene_NS::effect_names(gone, ", ") + "\n";
 
-  if (verdicts[Scene_NS::DRAG].answer == Scene_NS::NEEDED) text += drag_line();
+  text += fluid_line(verdicts);
   if (s.dt / s.dt_limit > Scene_NS::THRESHOLD[Scene_NS::STEP].value)
     text += fmt::format("  timestep {}\n", show(0.4 * s.dt_limit));
   if (verdicts[Scene_NS::INERTIA].answer == Scene_NS::NOT_NEEDED)

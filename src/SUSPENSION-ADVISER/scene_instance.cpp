@@ -17,6 +17,7 @@
 #include "error.h"
 #include "fix_deform_rheometer.h"
 #include "fix_drag_background.h"
+#include "fix_hydro.h"
 #include "fix_nve_sphere.h"
 #include "fix_overdamped_sphere.h"
 #include "fix_pore_pressure.h"
@@ -97,10 +98,14 @@ static bool copy_part(LAMMPS *lmp, Fix *fix, SceneInstance::Parts &parts)
   auto *deform = dynamic_cast<FixDeform *>(fix);
   const auto *rheometer = dynamic_cast<FixDeformRheometer *>(fix);
   const auto *pores = dynamic_cast<FixPorePressure *>(fix);
+  const auto *far = dynamic_cast<FixHydro *>(fix);
   const BackgroundFluid *fluid = SceneInstance::background_of(fix);
   if (pores) {
     settings = pores->settings_text();
     parts.pores = fix;
+  } else if (far) {
+    settings = far->settings_text();
+    parts.far = fix;
   } else if (fluid) {
     settings = fluid->settings_text();
     parts.drags.push_back(fix);

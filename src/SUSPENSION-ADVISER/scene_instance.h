@@ -41,10 +41,11 @@ class SceneInstance {
     std::vector<Part> fixes;     // in their order
     std::vector<Fix *> drags;    // among them
     Fix *pores = nullptr;        // fix pore/pressure, among them
+    Fix *far = nullptr;          // fix hydro, among them
     bool overdamped = false;     // and the drag moves the particles
   };
   struct Fluids {    // that a copy has
-    bool drag = true, pores = true;
+    bool drag = true, pores = true, far = true;
   };
   static constexpr const char *CURE = "suspension_scene without measure works; or "
                                       "compare two runs of your own, with the effect and without";

@@ -104,7 +104,8 @@ void SceneInstance::copy_fixes(const Parts &parts, const Fluids &fluids) const
   for (const Parts::Part &part : parts.fixes) {
     Fix *fix = part.fix;
     const bool drag = background_of(fix) != nullptr, pores = fix == parts.pores;
-    if ((drag && !fluids.drag) || (pores && !fluids.pores)) continue;
+    const bool far = fix == parts.far;    // which finds its loads anew
+    if ((drag && !fluids.drag) || (pores && !fluids.pores) || (far && !fluids.far)) continue;
     one(fmt::format("fix {} {} {} {}", fix->id, original->group->names[fix->igroup], fix->style,
                     part.settings));
     if (drag || pores || dynamic_cast<FixDeformRheometer *>(fix)) copy_state(fix);

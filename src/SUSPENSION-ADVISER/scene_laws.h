@@ -109,6 +109,15 @@ struct SurfaceLaws {
   double repulsion = UNKNOWN, screening = UNKNOWN;    // force at closed gap; its length
 };
 
+// Films that do without a far field: residual ones are the rest of it.
+inline Lubcontact_NS::Law films_alone(Lubcontact_NS::Law law)
+{
+  if (law.settings.range != Lubcontact_NS::Range::RESIDUAL) return law;
+  law.settings.range = Lubcontact_NS::DEFAULT_RANGE;
+  law.settings.reach_a = Lubcontact_NS::DEFAULT_REACH_A;
+  return law;
+}
+
 // All films, and these laws. The pull-off force is that of the effective radius a; a critical load
 // without a law is of the law step.
 inline Lubcontact_NS::Law switched_on(Lubcontact_NS::Law law, const SurfaceLaws &laws, double a)

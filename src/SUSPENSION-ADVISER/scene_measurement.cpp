@@ -16,6 +16,7 @@
 #include "error.h"
 #include "exceptions.h"
 #include "fix_deform_rheometer.h"
+#include "fix_hydro.h"
 #include "fix_pore_pressure.h"
 #include "group.h"
 #include "modify.h"
@@ -65,18 +66,19 @@ struct SceneMeasurement::Row {
     for (const Cure &one : CURES)
       if (one.bit == bit) cure = one.text;
   }
-  Row(const char *fluid_name, bool SceneInstance::Fluids::*which, int power_row,
+  Row(const char *fluid_name, bool SceneInstance::Fluids::*which, int stress_row, int power_row,
       const char *where) :
       name(fluid_name),
-      power(power_row), cure(where), fluid(which)
+      stress(stress_row), power(power_row), cure(where), fluid(which)
   {
   }
   bool acts_in(const Case &all) const { return fluid ? all.fluids.*fluid : uses(all.law, bit); }
   Case removed_from(Case all) const
   {
-    if (fluid)
+    if (fluid) {
       all.fluids.*fluid = false;
-    else
+      if (fluid == &SceneInstance::Fluids::far) all.law = Scene_NS::films_alone(all.law);
+    } else
       all.law = without(all.law, bit);
     return all;
   }
@@ -211,6 +213,7 @@ std::string SceneMeasurement::deck_lines(const Parts &parts, const Case &one) co
     show(fix, one.fluids.drag, SceneInstance::background_of(fix)->typed());
   if (parts.pores)
     show(parts.pores, one.fluids.pores, dynamic_cast<FixPorePressure *>(parts.pores)->typed());
+  if (parts.far) show(parts.far, one.fluids.far, dynamic_cast<FixHydro *>(parts.far)->typed());
   return text;
 }
 
@@ -258,6 +261,22 @@ struct SceneMeasurement::Comparison {
 };
 
 /* ----------------------------------------------------------------------
+   an effect that a copy cannot do without; empty: it can
+------------------------------------------------------------------------- */
+
+std::string SceneMeasurement::why_it_stays(const Row &effect, const Parts &parts,
+                                           const Case &everything)
+{
+  const bool moves = effect.fluid == &SceneInstance::Fluids::drag ||
+      effect.fluid == &SceneInstance::Fluids::far;
+  if (moves && parts.overdamped) return "where it moves the particles";
+  if (effect.bit == Lubcontact_NS::SQUEEZE &&
+      everything.law.settings.range == Lubcontact_NS::Range::RESIDUAL)
+    return "of residual films, which are the rest of a far field";
+  return "";
+}
+
+/* ----------------------------------------------------------------------
    one line of the table per effect, then the advice
 ------------------------------------------------------------------------- */
 
@@ -265,7 +284,8 @@ std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Option
 {
   const int nsteps = options.nsteps;
   const double a = Suspension_NS::measure_particles(lmp).mean;
-  const SceneInstance::Fluids fluids{!parts.drags.empty(), parts.pores != nullptr};
+  const SceneInstance::Fluids fluids{!parts.drags.empty(), parts.pores != nullptr,
+                                     parts.far != nullptr};
   const Case deck{parts.pair->law(), fluids};
   const Case everything{Scene_NS::switched_on(deck.law, options.laws, a), fluids};
   const bool as_deck = Scene_NS::same_law(everything.law, deck.law);
@@ -277,10 +297,13 @@ std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Option
 
   std::vector<Row> rows(std::begin(Lubcontact_NS::EFFECTS), std::end(Lubcontact_NS::EFFECTS));
   // in compute power/partition behind those of the pair law, with the kinetic energy between them
-  rows.emplace_back("drag", &SceneInstance::Fluids::drag, Lubcontact_NS::NUM_ORIGINS,
+  const int power = Lubcontact_NS::NUM_ORIGINS;
+  rows.emplace_back("drag", &SceneInstance::Fluids::drag, -1, power,
                     "add fix drag/background to the script");
-  rows.emplace_back("pores", &SceneInstance::Fluids::pores, Lubcontact_NS::NUM_ORIGINS + 2,
+  rows.emplace_back("pores", &SceneInstance::Fluids::pores, -1, power + 2,
                     "add fix pore/pressure to the script");
+  rows.emplace_back("far field", &SceneInstance::Fluids::far, Lubcontact_NS::NUM_STRESS_ROWS + 1,
+                    power + 3, "add fix hydro mean to the script");
   Case less = everything;    // without all that are idle
   int idle = 0;
   std::string undecided, missing;
@@ -291,9 +314,10 @@ std::string SceneMeasurement::leave_out_in_turn(const Parts &parts, const Option
     }
     const std::string of_stress = percent(share(all.parts, effect.stress));
     const std::string of_power = percent(share(all.power, effect.power));
-    if (effect.fluid == &SceneInstance::Fluids::drag && parts.overdamped) {
+    const std::string stays = why_it_stays(effect, parts, everything);
+    if (!stays.empty()) {
       text += fmt::format(COLUMNS, effect.name, of_stress, of_power, "-", "-", "-");
-      missing += "  drag: cannot be left out where it moves the particles\n";
+      missing += fmt::format("  {}: cannot be left out {}\n", effect.name, stays);
       continue;
     }
     const Measured one = run_copy(parts, nsteps, effect.removed_from(everything));

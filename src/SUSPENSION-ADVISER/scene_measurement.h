@@ -46,6 +46,7 @@ class SceneMeasurement : protected Pointers {
   void check_laws(const Options &, const Lubcontact_NS::Law &) const;
   Measured run_copy(const Parts &, int, const Case &) const;
   std::string deck_lines(const Parts &, const Case &) const;
+  static std::string why_it_stays(const Row &, const Parts &, const Case &);
   std::string leave_out_in_turn(const Parts &, const Options &) const;
   std::string head_of(const Parts &, const Measured &, int, bool) const;
 };

@@ -35,12 +35,14 @@ void BackgroundFluid::init()
     if (other->rigid_flag)
       error->all(FLERR, "Fix {} cannot drag the rigid bodies of fix {}", style, other->id);
 
-  find_viscosity();
-  eta.check(lmp, style.c_str(), "viscosity");
-  rule->init();
-  others.check(lmp, style.c_str(), "others");
-  flow->init();
-  if (isolated) check_isolated();
+  if (!elsewhere) {
+    find_viscosity();
+    eta.check(lmp, style.c_str(), "viscosity");
+    rule->init();
+    others.check(lmp, style.c_str(), "others");
+    flow->init();
+    if (isolated) check_isolated();
+  }
   own.start(fix->groupbit);
   exclude_plates();
 }
@@ -95,11 +97,11 @@ std::string BackgroundFluid::settings_text() const
   std::string text;
   for (const std::string &word : utils::split_words(words))
     text += (text.empty() ? "" : " ") +
-        (utils::strmatch(word, "^v_") ? fmt::format("{}", value_of(word.substr(2))) : word);
+        (utils::strmatch(word, "^v_") ? value_of(word.substr(2)) : word);
   return text;
 }
 
-double BackgroundFluid::value_of(const std::string &variable) const
+std::string BackgroundFluid::value_of(const std::string &variable) const
 {
   if (!evaluated)
     error->all(
@@ -119,7 +121,7 @@ double BackgroundFluid::value_of(const std::string &variable) const
   const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto &number) {
     return number.variable == variable;
   });
-  return found->value;
+  return fmt::format("{}", found->value);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -33,7 +33,9 @@ class BackgroundFluid : protected Pointers {
   struct Choice {
     Suspension_NS::InputNumber viscosity;    // if it is not that of the pair style
     bool of_pair = true;
-    int isolated = 0;    // spheres with fewer partners only, 0: all
+    int isolated = 0;          // spheres with fewer partners only, 0: all
+    bool elsewhere = false;    // another fix has the fluid: no values here
+    std::string typed;         // its words then
   };
   BackgroundFluid(LAMMPS *, Fix *, const Choice &);
 
@@ -46,6 +48,7 @@ class BackgroundFluid : protected Pointers {
   Fluid_NS::Drag drag(int i) const;
   bool is_isolated(int i) const { return !isolated || partners[i] < isolated; }
   double viscosity_now() const { return viscosity; }
+  bool is_elsewhere() const { return elsewhere; }
   bool only_isolated() const { return isolated > 0; }
   double hindrance() const { return rule->factor(); }
   ExclusiveParticles &exclusive() { return own; }
@@ -59,13 +62,14 @@ class BackgroundFluid : protected Pointers {
   // the arguments, as typed or with the present values of variables
   const std::string &typed() const { return words; }
   std::string settings_text() const;
+  std::string value_of(const std::string &variable) const;
 
  private:
   Fix *fix;
   std::string style, words;
   ExclusiveParticles own;            // not those of the plates, and what the fix adds
   Suspension_NS::InputNumber eta;    // viscosity, pressure*time
-  bool eta_of_pair, needs_viscosity;
+  bool eta_of_pair, needs_viscosity, elsewhere;
   const char *eta_word;
   std::unique_ptr<BackgroundFlow> flow;
   std::unique_ptr<BackgroundHindrance> rule;
@@ -88,7 +92,6 @@ class BackgroundFluid : protected Pointers {
   void check_isolated() const;
   void count_partners();
   bool has_variables() const;
-  double value_of(const std::string &) const;
 };
 
 }    // namespace LAMMPS_NS

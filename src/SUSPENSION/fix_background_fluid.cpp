@@ -14,15 +14,28 @@
 #include "error.h"
 #include "restart_seal.h"
 
+#include <cstring>
+
 using namespace LAMMPS_NS;
 
 /* ----------------------------------------------------------------------
    fix ID group style eta keyword value ...
 ------------------------------------------------------------------------- */
 
-FixBackgroundFluid::FixBackgroundFluid(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid(new BackgroundFluid(lmp, this, narg, arg)), sums(), step_power(0.0)
+FixBackgroundFluid::FixBackgroundFluid(LAMMPS *lmp, int narg, char **arg, const char *elsewhere) :
+    Fix(lmp, narg, arg), sums(), step_power(0.0)
 {
+  if (elsewhere && narg > 3 && strcmp(arg[3], elsewhere) == 0) {
+    if (narg > 4)
+      error->all(FLERR, 4, "Fix {} {} has its fluid elsewhere: {} cannot act; remove it", style,
+                 elsewhere, arg[4]);
+    BackgroundFluid::Choice choice;
+    choice.elsewhere = true;
+    choice.typed = elsewhere;
+    fluid = std::make_unique<BackgroundFluid>(lmp, this, choice);
+  } else {
+    fluid = std::make_unique<BackgroundFluid>(lmp, this, narg, arg);
+  }
   dynamic_group_allow = 1;
   restart_global = 1;
   vector_flag = 1;

@@ -39,7 +39,8 @@ class FixBackgroundFluid : public Fix {
          HINDRANCE = NUM_SUMS, MEAN_POWER, NUM_COLUMNS };
   // clang-format on
 
-  FixBackgroundFluid(class LAMMPS *, int, char **);
+  // the word instead of a viscosity that says that another fix has the fluid, if there is one
+  FixBackgroundFluid(class LAMMPS *, int, char **, const char *elsewhere = nullptr);
   void check_restart(const char *wrong) const;    // stops if there is something wrong
 
   std::unique_ptr<BackgroundFluid> fluid;

@@ -66,8 +66,10 @@ static std::unique_ptr<HydroLevel> make_level(LAMMPS *lmp, Fix *fix, int narg, c
 /* ---------------------------------------------------------------------- */
 
 FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), level(make_level(lmp, this, narg, arg)), inertia(new SpinInertia()),
-    force_of_atom(nullptr), work(0.0), total{}, dragged(0.0), step_power(0.0)
+    Fix(lmp, narg, arg), level(make_level(lmp, this, narg, arg)),
+    words(utils::join_words(std::vector<std::string>(arg + 3, arg + narg), " ")),
+    inertia(new SpinInertia()), force_of_atom(nullptr), work(0.0), total{}, dragged(0.0),
+    massless(0), step_power(0.0)
 {
   vector_flag = 1;
   size_vector = Output::NUM;
@@ -92,6 +94,15 @@ FixHydro::~FixHydro()
   memory->destroy(force_of_atom);
 }
 
+std::string FixHydro::settings_text() const
+{
+  std::string text;
+  for (const std::string &word : utils::split_words(words))
+    text += (text.empty() ? "" : " ") +
+        (utils::strmatch(word, "^v_") ? level->background().value_of(word.substr(2)) : word);
+  return text;
+}
+
 FixHydro *FixHydro::find(LAMMPS *lmp)
 {
   const auto fixes = lmp->modify->get_fix_by_style("^hydro");
@@ -107,6 +118,7 @@ void FixHydro::init()
 {
   level->init();
   inertia->find(lmp);
+  massless = Suspension_NS::groups_without_inertia(lmp);
 }
 
 void FixHydro::init_list(int /*id*/, NeighList *ptr)
@@ -144,30 +156,33 @@ void FixHydro::post_force(int /*vflag*/)
 void FixHydro::act(bool full)
 {
   const double dt = update->dt * force->ftm2v;
-  double e[5], s[5];
-  level->find_strain(e);
-  work = dragged = 0.0;
+  work = level->stresslet_heat();
+  dragged = 0.0;
   std::fill_n(total, 6, 0.0);
-  // damps what acts on v; the mean force of the fluid in this step
-  auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &target,
+  // damps what acts on v; the mean force of the fluid in this step. Without inertia it balances
+  // all others, which move the particle in the next step
+  auto damp = [&](bool moves, double coefficient, double mass, const Vec3 &v, const Vec3 &target,
                   const Vec3 &flow, double *f) {
     const Vec3 others = get_vector(f);
+    if (!moves) {
+      work += dot(others, v - flow);
+      return -1.0 * others;
+    }
     const auto step = Fluid_NS::drag_step(full, dt, mass, coefficient, others, v, target);
     Lubcontact_NS::put_vector(step.force, f);
     work -= dot(step.force - others, step.v_full - flow);
     return step.force - others;
   };
+  HydroLevel::Pull p;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     level->background().exclusive().check(atom->mask[i]);
-    level->stresslet(i, e, s);
-    for (int k = 0; k < 5; k++) work -= s[k] * e[k];
     std::fill_n(force_of_atom[i], 6, 0.0);
-    const HydroLevel::Pull p = level->pull(i);
-    if (p.drag.translation == 0.0) continue;
-    const Vec3 f = damp(p.drag.translation, atom->rmass[i], get_vector(atom->v[i]),
+    if (!level->pull(i, p)) continue;
+    const bool moves = !(atom->mask[i] & massless);
+    const Vec3 f = damp(moves, p.drag.translation, atom->rmass[i], get_vector(atom->v[i]),
                         p.target.velocity, p.flow.velocity, atom->f[i]);
-    const Vec3 t = damp(p.drag.rotation, inertia->of(atom, i), get_vector(atom->omega[i]),
+    const Vec3 t = damp(moves, p.drag.rotation, inertia->of(atom, i), get_vector(atom->omega[i]),
                         p.target.spin, p.flow.spin, atom->torque[i]);
     Lubcontact_NS::add_vector(f, total);
     Lubcontact_NS::add_vector(t, total + 3);
@@ -214,12 +229,11 @@ double FixHydro::sum_of_ranks(double mine) const
 
 void FixHydro::sum_stresslets(double *five) const
 {
-  double e[5], s[5];
-  level->find_strain(e);
+  double s[5];
   std::fill_n(five, 5, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    level->stresslet(i, e, s);
+    level->stresslet(i, s);
     for (int k = 0; k < 5; k++) five[k] += s[k];
   }
 }
@@ -235,12 +249,11 @@ void FixHydro::add_stresslets(double *nine) const
 std::vector<std::array<double, 9>> FixHydro::stresslets() const
 {
   std::vector<std::array<double, 9>> of_atom(atom->nlocal);
-  double e[5], s[5];
-  level->find_strain(e);
+  double s[5];
   for (int i = 0; i < atom->nlocal; i++) {
     of_atom[i].fill(0.0);
     if (!(atom->mask[i] & groupbit)) continue;
-    level->stresslet(i, e, s);
+    level->stresslet(i, s);
     of_atom[i] = components(s);
   }
   return of_atom;

@@ -20,6 +20,7 @@ FixStyle(hydro,FixHydro);
 
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -57,6 +58,11 @@ class FixHydro : public Fix {
   void unpack_reverse_comm(int, int *, double *) override;
 
   static FixHydro *find(class LAMMPS *);    // null without one
+  const HydroLevel &fluid() const { return *level; }
+
+  // the arguments, as typed or with the present values of variables
+  const std::string &typed() const { return words; }
+  std::string settings_text() const;
 
   // stresslets on the fluid, xx yy zz xy xz yz yx zx zy: of this rank, and of each of its particles
   void add_stresslets(double *nine) const;
@@ -79,10 +85,12 @@ class FixHydro : public Fix {
 
  private:
   std::unique_ptr<HydroLevel> level;
+  std::string words;
   std::unique_ptr<class SpinInertia> inertia;
   double **force_of_atom;    // for output: force and torque of the fluid
   // of this rank: heat, force and torque of the fluid, number of particles that it drags
   double work, total[6], dragged;
+  int massless;         // bits of groups that have no inertia
   double step_power;    // of this rank, mean of the last step
 
   void act(bool full);

@@ -14,6 +14,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
+#include "hydro_spread.h"
 #include "neigh_list.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ void HydroField::prepare(const Settings &settings, int groupbit, double mean_rad
   eta = viscosity;
   find_members(groupbit);
   waves.fit(settings.spacing * width);
-  lattice = waves.lattice();
+  Hydro_NS::Lattice lattice = waves.lattice();
   lattice.width = width;
   lattice.reach = settings.support * width;
   waves.set_response([this](const WaveVector &wave) {
@@ -64,6 +65,8 @@ void HydroField::prepare(const Settings &settings, int groupbit, double mean_rad
   Vec3 low, high;
   const bool any = waves.corners(members, low, high);
   waves.set_brick(any ? brick_for(lattice, low, high) : Brick{});
+  stencils.start(lattice, waves.brick());
+  for (const int i : members) stencils.add(Lubcontact_NS::get_vector(atom->x[i]));
   find_pairs(settings.reach * width, groupbit, list);
 }
 
@@ -143,17 +146,10 @@ void HydroField::add_near()
 
 void HydroField::add_far()
 {
-  const Brick &brick = waves.brick();
-  Stencil stencil(lattice);
   std::fill(waves.field.begin(), waves.field.end(), 0.0);
-  for (const int i : members)
-    spread(stencil, lattice, brick, Lubcontact_NS::get_vector(atom->x[i]), bodies[i],
-           get_load(&load[i * NUMBERS]), waves.field.data());
+  spread_all(stencils, members, bodies, load.data(), waves.field.data());
   waves.solve();
-  for (const int i : members)
-    add_motion(interpolate(stencil, lattice, brick, Lubcontact_NS::get_vector(atom->x[i]),
-                           bodies[i], waves.field.data()),
-               &motion[i * NUMBERS]);
+  interpolate_all(stencils, members, bodies, waves.field.data(), motion.data());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -185,7 +181,7 @@ void HydroField::unpack_motions(int n, const int *list, const double *buf)
 
 double HydroField::memory_usage() const
 {
-  return waves.memory_usage() +
+  return waves.memory_usage() + stencils.memory_usage() +
       static_cast<double>(pairs.capacity() * sizeof(Pair) + bodies.capacity() * sizeof(Body) +
                           2 * missing.capacity() * sizeof(Self) +
                           (load.capacity() + motion.capacity()) * sizeof(double));

@@ -11,7 +11,7 @@
 #define LMP_FIX_HYDRO_FIELD_H
 
 #include "fix_hydro_waves.h"
-#include "hydro_wide.h"
+#include "hydro_grid.h"
 #include "pointers.h"
 
 #include <vector>
@@ -66,7 +66,7 @@ class HydroField : protected Pointers {
   Fix *fix;
   double width, eta;
   HydroWaves waves;
-  Hydro_NS::Lattice lattice;
+  Hydro_NS::Stencils stencils;           // of members
   std::vector<int> members;              // of this rank
   std::vector<Hydro_NS::Body> bodies;    // of all particles and ghosts
   std::vector<Hydro_NS::Self> of_sphere, missing;

@@ -71,15 +71,16 @@ void HydroGrid::measure_radius()
 void HydroGrid::start()
 {
   fluid->setup();
+  find_strain(strain);
   if (state.solutions == 0.0) solve(FIRST * settings->tolerance);
 }
 
 void HydroGrid::new_step()
 {
   fluid->new_step();
-  double e[5], square = 0.0;
-  find_strain(e);
-  for (const double value : e) square += value * value;
+  double square = 0.0;
+  find_strain(strain);
+  for (const double value : strain) square += value * value;
   state.strain += sqrt(2.0 * square) * update->dt;
   const double steps = static_cast<double>(update->ntimestep) - state.step;
   const bool due = settings->every ? steps >= settings->every || steps < 0.0
@@ -91,23 +92,31 @@ void HydroGrid::new_step()
    from one solution to the next
 ------------------------------------------------------------------------- */
 
-HydroLevel::Pull HydroGrid::pull(int i) const
+bool HydroGrid::pull(int i, Pull &p) const
 {
   const double *h = held[i];
-  const Fluid_NS::Flow flow = fluid->flow_at(i);
-  const Fluid_NS::Drag drag =
+  p.flow = fluid->flow_at(i);
+  p.drag =
       Hydro_NS::held_drag({state.translation, state.rotation}, state.viscosity, atom->radius[i]);
-  return {drag,
-          {Hydro_NS::held_target(drag.translation, flow.velocity, get_vector(h + MOTION),
-                                 get_vector(h + LOAD)),
-           Hydro_NS::held_target(drag.rotation, flow.spin, get_vector(h + MOTION + 3),
-                                 get_vector(h + LOAD + 3))},
-          flow};
+  p.target = {Hydro_NS::held_target(p.drag.translation, p.flow.velocity, get_vector(h + MOTION),
+                                    get_vector(h + LOAD)),
+              Hydro_NS::held_target(p.drag.rotation, p.flow.spin, get_vector(h + MOTION + 3),
+                                    get_vector(h + LOAD + 3))};
+  return true;
 }
 
-void HydroGrid::stresslet(int i, const double * /*strain*/, double *five) const
+void HydroGrid::stresslet(int i, double *five) const
 {
   std::copy_n(held[i] + LOAD + 6, 5, five);
+}
+
+double HydroGrid::stresslet_heat() const
+{
+  double heat = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & fix->groupbit)
+      for (int k = 0; k < 5; k++) heat -= held[i][LOAD + 6 + k] * strain[k];
+  return heat;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -30,8 +30,10 @@ class HydroGrid : public HydroLevel {
   void init_list(NeighList *ptr) override { list = ptr; }
   void start() override;
   void new_step() override;
-  Pull pull(int i) const override;
-  void stresslet(int i, const double *strain, double *five) const override;
+  bool pull(int i, Pull &) const override;
+  bool drags_all() const override { return true; }
+  void stresslet(int i, double *five) const override;
+  double stresslet_heat() const override;
 
   double iterations() const override { return state.iterations; }
   double residual() const override { return state.residual; }

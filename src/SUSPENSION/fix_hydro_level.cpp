@@ -15,6 +15,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
+#include "fix_background_fluid.h"
 #include "hydro_tensors.h"
 #include "lubcontact_law.h"
 #include "memory.h"
@@ -33,7 +34,7 @@ static constexpr const char *READERS[] = {"setforce", "freeze", "store/force"};
 /* ---------------------------------------------------------------------- */
 
 HydroLevel::HydroLevel(LAMMPS *lmp, Fix *owner, int numbers) :
-    Pointers(lmp), columns(numbers), held(nullptr), fix(owner)
+    Pointers(lmp), columns(numbers), held(nullptr), fix(owner), strain()
 {
 }
 
@@ -140,11 +141,19 @@ void HydroLevel::check_others()
                            "or give it another group",
                            who, name);
       });
-    if (utils::strmatch(kind, "^overdamped"))
+    if (!utils::strmatch(kind, "^overdamped")) continue;
+    const auto *mover = dynamic_cast<FixBackgroundFluid *>(other);
+    if (!drags_all())
+      fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
+        return fmt::format("Fix hydro mean acts on {} of fix {} {}, which has a drag of its own on "
+                           "all: use fix nve/sphere with a small density",
+                           who, name, kind);
+      });
+    else if (mover && !mover->background().is_elsewhere())
       fluid->exclusive().forbid(other->groupbit, [name, kind](const std::string &who) {
         return fmt::format("Fix hydro acts on {} of fix {} {}, which has a drag of its own: use "
-                           "fix nve/sphere with a small density",
-                           who, name, kind);
+                           "fix {} {} hydro",
+                           who, name, kind, name, kind);
       });
   }
 }

@@ -37,18 +37,20 @@ class HydroLevel : protected Pointers {
   virtual void set_up() {}        // and with forces
   virtual void new_step() = 0;    // values of this step
 
-  // what the fluid does to particle i in this step: a drag, maybe 0, towards a motion; the flow is
-  // that without particles
+  // what the fluid does to particle i in this step: a drag towards a motion; the flow is that
+  // without particles. False: there is no drag
   struct Pull {
     Fluid_NS::Drag drag;
     Fluid_NS::Flow target, flow;
   };
-  virtual Pull pull(int i) const = 0;
+  virtual bool pull(int i, Pull &) const = 0;
+  virtual bool drags_all() const { return false; }
   // does it leave the rest of pairs to residual films?
   virtual bool leaves_residual() const { return false; }
-  // on the fluid, in the strain of find_strain()
-  virtual void stresslet(int i, const double *strain, double *five) const = 0;
-  // rate of strain of the cell, without its trace, as in hydro_tensors.h
+  virtual void stresslet(int i, double *five) const = 0;    // on the fluid, as in hydro_tensors.h
+  virtual double stresslet_heat() const = 0;                // in the last step, of this rank
+
+  // rate of strain of the cell without its trace, at this moment
   void find_strain(double *five) const;
 
   BackgroundFluid &background() { return *fluid; }
@@ -82,6 +84,7 @@ class HydroLevel : protected Pointers {
 
   Fix *fix;
   std::unique_ptr<BackgroundFluid> fluid;
+  double strain[5];    // in the last step, before fixes changed the flow for the next one
 
   // arguments from arg[4] on: each keyword with its values, of which the last may be left out;
   // parse_one returns the number of words

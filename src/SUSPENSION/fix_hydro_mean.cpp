@@ -42,6 +42,7 @@ HydroMean::HydroMean(LAMMPS *lmp, Fix *owner, int narg, char **arg) : HydroLevel
 void HydroMean::start()
 {
   fluid->evaluate();
+  find_strain(strain);
 }
 
 void HydroMean::set_up()
@@ -52,18 +53,30 @@ void HydroMean::set_up()
 void HydroMean::new_step()
 {
   fluid->new_step();
+  find_strain(strain);
 }
 
-HydroLevel::Pull HydroMean::pull(int i) const
+bool HydroMean::pull(int i, Pull &p) const
 {
-  const Fluid_NS::Flow flow = fluid->flow_at(i);
-  return {fluid->drag(i), flow, flow};
+  p.drag = fluid->drag(i);
+  if (p.drag.translation == 0.0) return false;
+  p.flow = p.target = fluid->flow_at(i);
+  return true;
 }
 
-void HydroMean::stresslet(int i, const double *strain, double *five) const
+void HydroMean::stresslet(int i, double *five) const
 {
   const double factor = Fluid_NS::straining(fluid->viscosity_now(), atom->radius[i]);
   for (int k = 0; k < 5; k++) five[k] = factor * strain[k];
+}
+
+double HydroMean::stresslet_heat() const
+{
+  double square = 0.0, cubes = 0.0;
+  for (const double e : strain) square += e * e;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & fix->groupbit) cubes += atom->radius[i] * atom->radius[i] * atom->radius[i];
+  return -Fluid_NS::straining(fluid->viscosity_now(), 1.0) * cubes * square;
 }
 
 double HydroMean::phi()

@@ -22,8 +22,9 @@ class HydroMean : public HydroLevel {
   void start() override;
   void set_up() override;
   void new_step() override;
-  Pull pull(int i) const override;
-  void stresslet(int i, const double *strain, double *five) const override;
+  bool pull(int i, Pull &) const override;
+  void stresslet(int i, double *five) const override;
+  double stresslet_heat() const override;
   double phi() override;
 };
 

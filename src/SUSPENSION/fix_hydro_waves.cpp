@@ -13,6 +13,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "hydro_grid.h"
 
 #ifdef SUSPENSION_FFTW
 #include "hydro_solve.h"
@@ -125,7 +126,7 @@ void HydroWaves::set_brick(const Brick &of_rank)
   received_from.assign(ranks, 0);
   std::partial_sum(sent.begin(), sent.end() - 1, sent_from.begin() + 1);
   std::partial_sum(received.begin(), received.end() - 1, received_from.begin() + 1);
-  field.resize(3 * mine.points());
+  field.resize(3 * mine.points() + Stencils::PADDING);
   out.resize(out_size);
   in.resize(in_size);
 }

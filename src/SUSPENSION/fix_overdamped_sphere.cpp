@@ -13,6 +13,8 @@
 #include "background_fluid.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_hydro.h"
+#include "fix_hydro_level.h"
 #include "modify.h"
 #include "pair_lubcontact.h"
 #include "update.h"
@@ -23,16 +25,18 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using Fluid_NS::Drag;
-using Fluid_NS::Flow;
 using Fluid_NS::Vec3;
+
+static constexpr char FAR[] = "hydro";
+
+struct FixOverdampedSphere::Pull : HydroLevel::Pull {};
 
 /* ----------------------------------------------------------------------
    fix ID group overdamped/sphere eta keyword value ...
 ------------------------------------------------------------------------- */
 
 FixOverdampedSphere::FixOverdampedSphere(LAMMPS *lmp, int narg, char **arg) :
-    FixBackgroundFluid(lmp, narg, arg), limit(HUGE_VAL), warned(false)
+    FixBackgroundFluid(lmp, narg, arg, FAR), limit(HUGE_VAL), warned(false), far(nullptr)
 {
   if (fluid->only_isolated())
     for (int iarg = 4; iarg < narg; iarg++)
@@ -55,6 +59,21 @@ void FixOverdampedSphere::init()
 {
   fluid->init();
   check_others();
+  far = nullptr;
+  if (fluid->is_elsewhere()) check_far();
+}
+
+/* ----------------------------------------------------------------------
+   it says where particles go without forces, and how easily forces move them
+------------------------------------------------------------------------- */
+
+void FixOverdampedSphere::check_far()
+{
+  far = FixHydro::find(lmp);
+  if (!far || !far->fluid().drags_all())
+    error->all(FLERR,
+               "Fix overdamped/sphere hydro needs a fix hydro grid, which has the drag of all "
+               "particles: add one, or use fix overdamped/sphere eta");
 }
 
 /* ----------------------------------------------------------------------
@@ -74,12 +93,25 @@ void FixOverdampedSphere::check_others()
   }
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   of a particle of the fix: there must be a drag
+------------------------------------------------------------------------- */
 
-void FixOverdampedSphere::check_particle(int i, const Drag &drag) const
+void FixOverdampedSphere::pull(int i, Pull &p) const
 {
   fluid->exclusive().check(atom->mask[i]);
-  if (!(drag.translation > 0.0))
+  if (far) {
+    if (!(atom->mask[i] & far->groupbit))
+      error->one(FLERR,
+                 "Fix overdamped/sphere hydro cannot move atom {}, which is not in the group of "
+                 "fix {}: use the same group for both",
+                 atom->tag[i], far->id);
+    far->fluid().pull(i, p);
+    return;
+  }
+  p.drag = fluid->drag(i);
+  p.flow = p.target = fluid->flow_at(i);
+  if (!(p.drag.translation > 0.0))
     error->one(FLERR,
                "Fix overdamped/sphere cannot move atom {} without drag: viscosity, hindrance and "
                "radius must be > 0",
@@ -90,9 +122,7 @@ void FixOverdampedSphere::check_particle(int i, const Drag &drag) const
 
 void FixOverdampedSphere::setup(int /*vflag*/)
 {
-  fluid->setup();
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) check_particle(i, fluid->drag(i));
+  if (!far) fluid->setup();
   find_limit();
   warned = false;
   reset_dt();
@@ -111,10 +141,13 @@ void FixOverdampedSphere::find_limit()
     for (int i = 0; i < atom->nlocal; i++) stiffness[i] += part[i];
   }
   double mine = HUGE_VAL;
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & groupbit) && stiffness[i] > 0.0)
-      mine =
-          std::min(mine, Fluid_NS::overdamped_step_limit(stiffness[i], fluid->drag(i).translation));
+  Pull p;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    pull(i, p);
+    if (stiffness[i] > 0.0)
+      mine = std::min(mine, Fluid_NS::overdamped_step_limit(stiffness[i], p.drag.translation));
+  }
   MPI_Allreduce(&mine, &limit, 1, MPI_DOUBLE, MPI_MIN, world);
   if (comm->me == 0 && limit < HUGE_VAL)
     utils::logmesg(
@@ -135,31 +168,31 @@ void FixOverdampedSphere::reset_dt()
 }
 
 /* ----------------------------------------------------------------------
-   v and omega stay those of the step
+   v and omega stay those of the step. Fix hydro sums up what its fluid does
 ------------------------------------------------------------------------- */
 
 void FixOverdampedSphere::initial_integrate(int /*vflag*/)
 {
   const double dt = update->dt;
-  fluid->new_step();
+  if (!far) fluid->new_step();
   std::fill_n(sums, NUM_SUMS, 0.0);
+  Pull p;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const Drag drag = fluid->drag(i);
-    check_particle(i, drag);
-    const Flow flow = fluid->flow_at(i);
+    pull(i, p);
     const Vec3 force = Lubcontact_NS::get_vector(atom->f[i]),
                torque = Lubcontact_NS::get_vector(atom->torque[i]);
-    const Vec3 v = Fluid_NS::overdamped(drag.translation, force, flow.velocity);
-    const Vec3 omega = Fluid_NS::overdamped(drag.rotation, torque, flow.spin);
+    const Vec3 v = Fluid_NS::overdamped(p.drag.translation, force, p.target.velocity);
+    const Vec3 omega = Fluid_NS::overdamped(p.drag.rotation, torque, p.target.spin);
     Lubcontact_NS::put_vector(v, atom->v[i]);
     Lubcontact_NS::put_vector(omega, atom->omega[i]);
     Lubcontact_NS::put_vector(Lubcontact_NS::get_vector(atom->x[i]) + dt * v, atom->x[i]);
 
-    sums[POWER] += dot(force, v - flow.velocity) + dot(torque, omega - flow.spin);
+    sums[NUMBER] += 1.0;
+    if (far) continue;
+    sums[POWER] += dot(force, v - p.flow.velocity) + dot(torque, omega - p.flow.spin);
     const double drags[] = {-force.x, -force.y, -force.z, -torque.x, -torque.y, -torque.z};
     for (int n = 0; n < 6; n++) sums[FORCE + n] += drags[n];
-    sums[NUMBER] += 1.0;
   }
   step_power = sums[POWER];    // a step has one velocity
 }

@@ -18,10 +18,6 @@ FixStyle(overdamped/sphere,FixOverdampedSphere);
 
 #include "fix_background_fluid.h"
 
-namespace LAMMPS_NS::Fluid_NS {
-struct Drag;
-}
-
 namespace LAMMPS_NS {
 
 class FixOverdampedSphere : public FixBackgroundFluid {
@@ -38,7 +34,10 @@ class FixOverdampedSphere : public FixBackgroundFluid {
   bool warned;     // of the limit, in this run
 
   void check_others();
-  void check_particle(int, const Fluid_NS::Drag &) const;
+  class FixHydro *far;    // which has the fluid, or null
+  void check_far();
+  struct Pull;
+  void pull(int, Pull &) const;
   void find_limit();
 };
 

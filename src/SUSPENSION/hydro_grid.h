@@ -7,48 +7,23 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// From spheres to the points of a grid and back. The grid moves with its cell: its points have
-// fixed lamda coordinates, Gaussians the real distances. What is spread to a point and what is
-// interpolated from it have the same weights, so that the mobility is symmetric to rounding.
+// From spheres to the points of a grid and back, with Gaussians of the real distances. What is
+// spread to a point and what is interpolated from it have the same weights, so that the mobility is
+// symmetric to rounding.
 
 #ifndef LMP_HYDRO_GRID_H
 #define LMP_HYDRO_GRID_H
 
+#include "hydro_lattice.h"
 #include "hydro_wide.h"
-#include "pore_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace LAMMPS_NS::Hydro_NS {
-
-using Pore_NS::Cell;
-
-// Points of a cell with edges along those of LAMMPS: point (i, j, k) for any integers, of which the
-// cell has nx ny nz.
-struct Lattice {
-  Cell cell;
-  int nx = 1, ny = 1, nz = 1;
-  double width = 1.0, reach = 4.5;    // of the Gaussian; where it is cut off
-
-  double volume() const { return cell.xprd * cell.yprd * cell.zprd; }
-  std::size_t points() const { return static_cast<std::size_t>(nx) * ny * nz; }
-  double point_volume() const { return volume() / static_cast<double>(points()); }
-};
-
-// A box of points, x fastest, three values each: one array after the other.
-struct Brick {
-  int low[3] = {0, 0, 0}, size[3] = {0, 0, 0};
-
-  std::size_t points() const { return static_cast<std::size_t>(size[0]) * size[1] * size[2]; }
-  std::size_t index(int i, int j, int k) const
-  {
-    return (static_cast<std::size_t>(k - low[2]) * size[1] + (j - low[1])) * size[0] + (i - low[0]);
-  }
-};
 
 // first and last integer within reach of a center, in units of the spacing
 struct Span {
@@ -63,245 +38,267 @@ inline Span span(double center, double reach)
   return {first + (first < low), last - (last > high)};
 }
 
-// Points of a line along x within reach: x^m exp(-x^2/2W^2) for m = 0 to 3 at each of them, as
-// columns to add to, and as rows to sum up.
-struct Line {
-  int first = 0, number = 0;
-  double y = 0.0, gauss = 0.0;    // distance of the line along y, exp(-y^2/2W^2)
-  std::vector<double> column[4];
-  std::vector<std::array<double, 4>> row;
-};
-
-// What a layer cuts out of a line: its points and their Gaussians, but for a factor.
-struct Row {
-  int i, j, k;    // the first one
-  int number;
-  double y, z;    // distance from the center, the same for all
-  double factor;
-  const double *column[4];
-  const std::array<double, 4> *row;
-};
-
-// Calls f(row) for all rows with points within reach of the center. In a cell that is leaned along
-// x only, all layers have the same lines.
-class Stencil {
- public:
-  explicit Stencil(const Lattice &lattice) :
-      dx(lattice.cell.xprd / lattice.nx), per_dx(1.0 / dx), dy(lattice.cell.yprd / lattice.ny),
-      dz(lattice.cell.zprd / lattice.nz), y_to_x(lattice.cell.xy / lattice.ny),
-      z_to_x(lattice.cell.xz / lattice.nz), z_to_y(lattice.cell.yz / lattice.nz),
-      origin(lattice.cell.origin), reach(lattice.reach),
-      half(0.5 / (lattice.width * lattice.width)), norm(std::pow(half / PI, 1.5))
+// Eight numbers at once.
+static constexpr int LANES = 8;
+#if defined(__GNUC__) && !defined(__NVCOMPILER)
+typedef double Lanes __attribute__((vector_size(LANES * sizeof(double))));
+#else
+struct Lanes {
+  double n[LANES];
+  double operator[](int i) const { return n[i]; }
+  void operator+=(const Lanes &b)
   {
-    const int most = static_cast<int>(reach / dx) + 2;
-    for (int m = 0; m <= most; m++) steps.push_back(std::exp(-half * m * m * dx * dx));
-    lines.resize(2 * (static_cast<std::size_t>(reach / dy) + 2));
-    for (Line &line : lines) {
-      for (auto &column : line.column) column.resize(2 * most + 1);
-      line.row.resize(2 * most + 1);
-    }
+    for (int i = 0; i < LANES; i++) n[i] += b.n[i];
   }
+};
+inline Lanes operator*(const Lanes &a, const Lanes &b)
+{
+  Lanes c;
+  for (int i = 0; i < LANES; i++) c.n[i] = a.n[i] * b.n[i];
+  return c;
+}
+inline Lanes operator*(double s, const Lanes &a)
+{
+  Lanes c;
+  for (int i = 0; i < LANES; i++) c.n[i] = s * a.n[i];
+  return c;
+}
+inline Lanes operator+(double s, const Lanes &a)
+{
+  Lanes c;
+  for (int i = 0; i < LANES; i++) c.n[i] = s + a.n[i];
+  return c;
+}
+inline Lanes operator+(Lanes a, const Lanes &b)
+{
+  a += b;
+  return a;
+}
+#endif
 
-  template <class F> void for_each_row(const Vec3 &center, F &&f)
+// Where a sphere is on the grid, as long as it does not move: rows of points along x within reach,
+// eight at a time. What is left of the last eight is a little more than the reach, and beyond the
+// line 0. In a cell that is leaned along x only, all layers have the same lines.
+class Stencils {
+ public:
+  struct Line {
+    double x, y, gauss;    // of its first point, from the center; gauss: along y
+  };
+  struct Layer {
+    double z, gauss;
+  };
+  struct Row {
+    int point;         // of the brick, the first one
+    int line, from;    // of all lines; from a point of it on
+    short layer, eights;
+  };
+
+  // of a lattice, in a brick that holds all they reach, and PADDING numbers more
+  static constexpr int PADDING = LANES;
+  void start(const Lattice &, const Brick &);
+  void add(const Vec3 &center);
+
+  const Lattice &lattice() const { return grid; }
+  std::size_t brick_points() const { return brick.points(); }
+  double spacing() const { return dx; }
+  const Line &line(const Row &r) const { return lines[r.line]; }
+  const double *gauss(const Row &r) const
   {
-    const Vec3 c = center - origin;
-    const bool upright = z_to_x == 0.0 && z_to_y == 0.0;
-    const Span all = span(c.y / dy, reach / dy);
-    if (upright)
-      for (int j = all.first; j <= all.last; j++)
-        fill(lines[j - all.first], j * dy - c.y, j * y_to_x - c.x, reach * reach);
-
-    const Span layers = span(c.z / dz, reach / dz);
-    for (int k = layers.first; k <= layers.last; k++) {
-      const double z = k * dz - c.z, r2 = reach * reach - z * z;
-      const double of_layer = norm * std::exp(-half * z * z), to_y = k * z_to_y - c.y;
-      const Span rows = span(-to_y / dy, root(r2) / dy);
-      for (int j = rows.first; j <= rows.last; j++) {
-        const double to_x = j * y_to_x + k * z_to_x - c.x;
-        Line &line = lines[upright ? j - all.first : 0];
-        if (!upright) fill(line, j * dy + to_y, to_x, r2);
-        const Span points = span(-to_x * per_dx, root(r2 - line.y * line.y) * per_dx);
-        const int from = std::max(points.first, line.first) - line.first;
-        const int number = std::min(points.last - line.first + 1, line.number) - from;
-        if (number <= 0) continue;
-        f(Row{line.first + from,
-              j,
-              k,
-              number,
-              line.y,
-              z,
-              of_layer * line.gauss,
-              {&line.column[0][from], &line.column[1][from], &line.column[2][from],
-               &line.column[3][from]},
-              &line.row[from]});
-      }
-    }
+    return &gaussians[static_cast<std::size_t>(r.line) * stride + r.from];
+  }
+  // with the layer of each
+  template <class F> void for_each_row(std::size_t sphere, F &&f) const
+  {
+    const Sphere &s = spheres[sphere], &next = spheres[sphere + 1];
+    for (std::size_t n = s.row; n < next.row; n++) f(rows[n], layers[s.layer + rows[n].layer]);
+  }
+  double memory_usage() const
+  {
+    return static_cast<double>(rows.capacity() * sizeof(Row) + lines.capacity() * sizeof(Line) +
+                               layers.capacity() * sizeof(Layer) +
+                               spheres.capacity() * sizeof(Sphere) +
+                               gaussians.capacity() * sizeof(double));
   }
 
  private:
-  double dx, per_dx, dy, dz, y_to_x, z_to_x, z_to_y;
-  Vec3 origin;
-  double reach, half, norm;
+  struct Sphere {
+    std::size_t row, layer;    // the first ones
+  };
+  Lattice grid;
+  Brick brick;
+  double dx = 1.0, dy = 1.0, dz = 1.0, half = 0.5;
+  std::size_t stride = 0;
   std::vector<double> steps;    // exp(-(m dx)^2/2W^2)
+  std::vector<double> gaussians;
   std::vector<Line> lines;
+  std::vector<Layer> layers;
+  std::vector<Row> rows;
+  std::vector<Sphere> spheres;
 
   static double root(double square) { return std::sqrt(square > 0.0 ? square : 0.0); }
-
-  // Two exponentials a line: those of its points follow from that of the nearest one to the center.
-  void fill(Line &line, double y, double to_x, double r2) const
-  {
-    line.y = y;
-    line.gauss = std::exp(-half * y * y);
-    const Span points = span(-to_x / dx, root(r2 - y * y) / dx);
-    line.first = points.first;
-    line.number = points.last - points.first + 1;
-    if (line.number <= 0) return;
-    const int nearest = static_cast<int>(std::lround(-to_x / dx)) - points.first;
-    const int near = std::max(0, std::min(nearest, line.number - 1));    // but for rounding it is
-    const double x0 = (points.first + near) * dx + to_x;
-    const double top = std::exp(-half * x0 * x0);
-    const double up = std::exp(-2.0 * half * x0 * dx), down = 1.0 / up;
-    double power = top;
-    const auto put = [&](int n, double weight) {
-      const double x = (points.first + n) * dx + to_x;
-      for (int m = 0; m < 4; m++, weight *= x) line.column[m][n] = line.row[n][m] = weight;
-    };
-    for (int n = near; n < line.number; n++, power *= up) put(n, power * steps[n - near]);
-    power = top * down;
-    for (int n = near - 1; n >= 0; n--, power *= down) put(n, power * steps[near - n]);
-  }
+  Span add_line(double y, double to_x, double r2);
 };
+
+inline void Stencils::start(const Lattice &lattice, const Brick &of_rank)
+{
+  grid = lattice;
+  brick = of_rank;
+  const Cell &c = grid.cell;
+  dx = c.xprd / grid.nx;
+  dy = c.yprd / grid.ny;
+  dz = c.zprd / grid.nz;
+  half = 0.5 / (grid.width * grid.width);
+  const int most = static_cast<int>(grid.reach / dx) + 2;
+  steps.clear();
+  for (int m = 0; m <= most; m++) steps.push_back(std::exp(-half * m * m * dx * dx));
+  stride = 2 * most + LANES;
+  gaussians.clear();
+  lines.clear();
+  layers.clear();
+  rows.clear();
+  spheres.assign(1, {0, 0});
+}
+
+inline void Stencils::add(const Vec3 &center)
+{
+  const Cell &cell = grid.cell;
+  const double y_to_x = cell.xy / grid.ny, z_to_x = cell.xz / grid.nz, z_to_y = cell.yz / grid.nz;
+  const double reach = grid.reach, norm = std::pow(half / PI, 1.5);
+  const Vec3 c = center - cell.origin;
+  const bool upright = z_to_x == 0.0 && z_to_y == 0.0;
+  const Span all = span(c.y / dy, reach / dy);
+  const int first_line = static_cast<int>(lines.size());
+  std::vector<Span> in_line;
+  if (upright)
+    for (int j = all.first; j <= all.last; j++)
+      in_line.push_back(add_line(j * dy - c.y, j * y_to_x - c.x, reach * reach));
+
+  const Span of_z = span(c.z / dz, reach / dz);
+  for (int k = of_z.first; k <= of_z.last; k++) {
+    const double z = k * dz - c.z, r2 = reach * reach - z * z;
+    layers.push_back({z, norm * std::exp(-half * z * z)});
+    const double to_y = k * z_to_y - c.y;
+    const Span of_y = span(-to_y / dy, root(r2) / dy);
+    for (int j = of_y.first; j <= of_y.last; j++) {
+      const double y = j * dy + to_y, to_x = j * y_to_x + k * z_to_x - c.x;
+      const Span line = upright ? in_line[j - all.first] : add_line(y, to_x, r2);
+      const int index = upright ? first_line + j - all.first : static_cast<int>(lines.size()) - 1;
+      const Span points = span(-to_x / dx, root(r2 - y * y) / dx);
+      const int first = std::max(points.first, line.first);
+      const int number = std::min(points.last, line.last) - first + 1;
+      if (number <= 0) continue;
+      rows.push_back({static_cast<int>(brick.index(first, j, k)), index, first - line.first,
+                      static_cast<short>(k - of_z.first),
+                      static_cast<short>((number + LANES - 1) / LANES)});
+    }
+  }
+  spheres.push_back({rows.size(), layers.size()});
+}
+
+// Two exponentials a line: those of its points follow from that of the nearest one to the center.
+inline Span Stencils::add_line(double y, double to_x, double r2)
+{
+  const Span points = span(-to_x / dx, root(r2 - y * y) / dx);
+  const int number = points.last - points.first + 1;
+  lines.push_back({points.first * dx + to_x, y, std::exp(-half * y * y)});
+  gaussians.resize(gaussians.size() + stride, 0.0);
+  double *g = &gaussians[gaussians.size() - stride];
+  if (number <= 0) return points;
+  const int nearest = static_cast<int>(std::lround(-to_x / dx)) - points.first;
+  const int near = std::max(0, std::min(nearest, number - 1));    // but for rounding it is
+  const double x0 = (points.first + near) * dx + to_x;
+  const double top = std::exp(-half * x0 * x0);
+  const double up = std::exp(-2.0 * half * x0 * dx), down = 1.0 / up;
+  double power = top;
+  for (int n = near; n < number; n++, power *= up) g[n] = power * steps[n - near];
+  power = top * down;
+  for (int n = near - 1; n >= 0; n--, power *= down) g[n] = power * steps[near - n];
+  return points;
+}
 
 // Along a row the force density is the Gaussian times a polynomial of third degree in x: with
 // l = lap D/D = y^2/W^4 - 3/W^2 it is (1 + c_m l) F_j + (1 + c_d l - 2 c_d/W^2) C_jk y_k/W^2.
-struct RowWeights {
-  double force, force_xx;      // of F: at x = 0, and with x^2
-  double dipole, dipole_xx;    // of C_jk y_k
-
-  RowWeights(const Body &body, double width, const Row &row)
-  {
-    const double u = 1.0 / (width * width);
-    const double l = ((row.y * row.y + row.z * row.z) * u - 3.0) * u;
-    force = row.factor * (1.0 + body.c_force * l);
-    force_xx = row.factor * body.c_force * u * u;
-    dipole = row.factor * u * (1.0 + body.c_dipole * (l - 2.0 * u));
-    dipole_xx = row.factor * u * u * u * body.c_dipole;
-  }
-};
-
-// Adds the force density of a sphere to the points of a brick that holds all of them.
-inline void spread(Stencil &stencil, const Lattice &lattice, const Brick &brick, const Vec3 &center,
-                   const Body &body, const Load &load, double *field)
+// Calls f(points, y, z, of F, of C_jx, of C_jy y + C_jz z) for eight points at a time.
+template <class F>
+void for_each_eight(const Stencils &stencils, std::size_t sphere, const Body &body, F &&f)
 {
-  const std::size_t points = brick.points();
-  stencil.for_each_row(center, [&](const Row &row) {
-    const RowWeights w(body, lattice.width, row);
-    const double *p0 = row.column[0], *p1 = row.column[1], *p2 = row.column[2];
-    const double *p3 = row.column[3];
-    const auto add = [&](double force, const Vec3 &c, double *f) {
-      const double c0 = c.y * row.y + c.z * row.z;
-      const double a0 = force * w.force + c0 * w.dipole, a1 = c.x * w.dipole;
-      const double a2 = force * w.force_xx + c0 * w.dipole_xx, a3 = c.x * w.dipole_xx;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
-      for (int n = 0; n < row.number; n++)
-        f[n] += (a0 * p0[n] + a1 * p1[n]) + (a2 * p2[n] + a3 * p3[n]);
-    };
-    double *f = field + brick.index(row.i, row.j, row.k);
-    add(load.force.x, load.dipole.x, f);
-    add(load.force.y, load.dipole.y, f + points);
-    add(load.force.z, load.dipole.z, f + 2 * points);
+  const double u = 1.0 / (stencils.lattice().width * stencils.lattice().width);
+  const double dx = stencils.spacing();
+  double steps[LANES];
+  for (int n = 0; n < LANES; n++) steps[n] = n * dx;
+  Lanes step, gauss;
+  std::memcpy(&step, steps, sizeof(Lanes));
+  stencils.for_each_row(sphere, [&](const Stencils::Row &row, const Stencils::Layer &layer) {
+    const Stencils::Line &line = stencils.line(row);
+    const double l = ((line.y * line.y + layer.z * layer.z) * u - 3.0) * u;
+    const double factor = line.gauss * layer.gauss;
+    const double force = factor * (1.0 + body.c_force * l),
+                 force_xx = factor * body.c_force * u * u;
+    const double dipole = factor * u * (1.0 + body.c_dipole * (l - 2.0 * u));
+    const double dipole_xx = factor * u * u * u * body.c_dipole;
+    const double *g = stencils.gauss(row);
+    for (int n = 0; n < row.eights; n++, g += LANES) {
+      std::memcpy(&gauss, g, sizeof(Lanes));
+      const Lanes x = (line.x + (row.from + n * LANES) * dx) + step, xx = x * x;
+      const Lanes of_dipole = gauss * (dipole + dipole_xx * xx);
+      f(row.point + n * LANES, line.y, layer.z, gauss * (force + force_xx * xx), of_dipole * x,
+        of_dipole);
+    }
   });
+}
+
+// Adds the force density of a sphere to the points of the brick: PADDING numbers more than it has.
+inline void spread(const Stencils &stencils, std::size_t sphere, const Body &body, const Load &load,
+                   double *field)
+{
+  const std::size_t points = stencils.brick_points();
+  const auto add = [](double force, const Vec3 &c, double y, double z, const Lanes &of_force,
+                      const Lanes &of_x, const Lanes &of_yz, double *to) {
+    Lanes f;
+    std::memcpy(&f, to, sizeof(Lanes));
+    f += force * of_force + (c.x * of_x + (c.y * y + c.z * z) * of_yz);
+    std::memcpy(to, &f, sizeof(Lanes));
+  };
+  for_each_eight(stencils, sphere, body,
+                 [&](int point, double y, double z, const Lanes &of_force, const Lanes &of_x,
+                     const Lanes &of_yz) {
+                   double *f = field + point;
+                   add(load.force.x, load.dipole.x, y, z, of_force, of_x, of_yz, f);
+                   add(load.force.y, load.dipole.y, y, z, of_force, of_x, of_yz, f + points);
+                   add(load.force.z, load.dipole.z, y, z, of_force, of_x, of_yz, f + 2 * points);
+                 });
 }
 
 // Mean velocity and gradient at a sphere of the velocities at the points.
-inline Motion interpolate(Stencil &stencil, const Lattice &lattice, const Brick &brick,
-                          const Vec3 &center, const Body &body, const double *field)
+inline Motion interpolate(const Stencils &stencils, std::size_t sphere, const Body &body,
+                          const double *field)
 {
-  const std::size_t points = brick.points();
-  Motion motion;
-  stencil.for_each_row(center, [&](const Row &row) {
-    const RowWeights w(body, lattice.width, row);
-    const double *u = field + brick.index(row.i, row.j, row.k);
-    std::array<double, 4> mx{}, my{}, mz{};    // moments along x
-    for (int n = 0; n < row.number; n++) {
-      const std::array<double, 4> p = row.row[n];
-      const double ux = u[n], uy = u[n + points], uz = u[n + 2 * points];
-      for (int m = 0; m < 4; m++) {
-        mx[m] += ux * p[m];
-        my[m] += uy * p[m];
-        mz[m] += uz * p[m];
-      }
-    }
-    const auto add = [&](const std::array<double, 4> &of, double &velocity, Vec3 &gradient) {
-      velocity += w.force * of[0] + w.force_xx * of[2];
-      const double even = w.dipole * of[0] + w.dipole_xx * of[2];
-      gradient =
-          gradient + Vec3{w.dipole * of[1] + w.dipole_xx * of[3], row.y * even, row.z * even};
-    };
-    add(mx, motion.velocity.x, motion.gradient.x);
-    add(my, motion.velocity.y, motion.gradient.y);
-    add(mz, motion.velocity.z, motion.gradient.z);
-  });
-  const double volume = lattice.point_volume();
-  return {volume * motion.velocity, volume * motion.gradient};
-}
-
-// What a brick needs to hold for centers whose lattice coordinates lie between two corners.
-inline Vec3 lattice_place(const Lattice &lattice, const Vec3 &point)
-{
-  const Cell &c = lattice.cell;
-  const Vec3 r = point - c.origin;
-  const double z = r.z / c.zprd, y = (r.y - z * c.yz) / c.yprd;
-  return {(r.x - y * c.xy - z * c.xz) / c.xprd * lattice.nx, y * lattice.ny, z * lattice.nz};
-}
-
-// of the lattice coordinates
-struct LatticeGradients {
-  Vec3 x, y, z;
-};
-
-inline LatticeGradients lattice_gradients(const Lattice &lattice)
-{
-  const Cell &c = lattice.cell;
-  const Vec3 x{1.0 / c.xprd, -c.xy / (c.xprd * c.yprd),
-               (c.xy * c.yz / c.yprd - c.xz) / (c.xprd * c.zprd)};
-  const Vec3 y{0.0, 1.0 / c.yprd, -c.yz / (c.yprd * c.zprd)}, z{0.0, 0.0, 1.0 / c.zprd};
-  return {static_cast<double>(lattice.nx) * x, static_cast<double>(lattice.ny) * y,
-          static_cast<double>(lattice.nz) * z};
-}
-
-// half widths of a stencil in lattice coordinates
-inline Vec3 lattice_reach(const Lattice &lattice)
-{
-  const LatticeGradients g = lattice_gradients(lattice);
-  return {lattice.reach * norm(g.x), lattice.reach * norm(g.y), lattice.reach * norm(g.z)};
-}
-
-inline Brick brick_for(const Lattice &lattice, const Vec3 &low, const Vec3 &high)
-{
-  const Vec3 reach = lattice_reach(lattice);
-  const double from[3] = {low.x - reach.x, low.y - reach.y, low.z - reach.z};
-  const double to[3] = {high.x + reach.x, high.y + reach.y, high.z + reach.z};
-  Brick b;
-  for (int d = 0; d < 3; d++) {
-    b.low[d] = static_cast<int>(std::floor(from[d]));
-    b.size[d] = static_cast<int>(std::ceil(to[d])) - b.low[d] + 1;
-  }
-  return b;
-}
-
-// Points for a spacing: a number with small factors only, which transforms like.
-inline int good_number(double least)
-{
-  for (int n = 2;; n++) {
-    if (n < least) continue;
-    int rest = n;
-    for (const int factor : {2, 3, 5, 7})
-      while (rest % factor == 0) rest /= factor;
-    if (rest == 1) return n;
-  }
+  const std::size_t points = stencils.brick_points();
+  Lanes velocity[3] = {}, along_x[3] = {}, along_y[3] = {}, along_z[3] = {};
+  for_each_eight(stencils, sphere, body,
+                 [&](int point, double y, double z, const Lanes &of_force, const Lanes &of_x,
+                     const Lanes &of_yz) {
+                   for (int c = 0; c < 3; c++) {
+                     Lanes u;
+                     std::memcpy(&u, field + c * points + point, sizeof(Lanes));
+                     const Lanes even = of_yz * u;
+                     velocity[c] += of_force * u;
+                     along_x[c] += of_x * u;
+                     along_y[c] += y * even;
+                     along_z[c] += z * even;
+                   }
+                 });
+  const double volume = stencils.lattice().point_volume();
+  const auto sum = [volume](const Lanes &lanes) {
+    double all = 0.0;
+    for (int n = 0; n < LANES; n++) all += lanes[n];
+    return volume * all;
+  };
+  const auto gradient = [&](int c) {
+    return Vec3{sum(along_x[c]), sum(along_y[c]), sum(along_z[c])};
+  };
+  return {{sum(velocity[0]), sum(velocity[1]), sum(velocity[2])},
+          {gradient(0), gradient(1), gradient(2)}};
 }
 
 }    // namespace LAMMPS_NS::Hydro_NS

@@ -14,7 +14,7 @@
 #ifndef LMP_HYDRO_LAYERS_H
 #define LMP_HYDRO_LAYERS_H
 
-#include "hydro_grid.h"
+#include "hydro_lattice.h"
 
 #include <algorithm>
 #include <array>

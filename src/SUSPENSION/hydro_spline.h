@@ -14,8 +14,10 @@
 #ifndef LMP_HYDRO_SPLINE_H
 #define LMP_HYDRO_SPLINE_H
 
-#include "hydro_grid.h"
+#include "hydro_lattice.h"
+#include "hydro_tensors.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace LAMMPS_NS::Hydro_NS {

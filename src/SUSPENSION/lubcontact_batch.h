@@ -34,6 +34,7 @@ struct Batch {
 
   // out; all void in a lane that is not usual (0)
   Lanes usual, force[3], torque_i[3], torque_j[3];
+  Lanes stresslet[6];    // RESIDUAL: xx yy zz xy xz yz, by stresslets_together() alone
 };
 
 // Two spheres at rest that just touch, in every lane: one that no pair fills computes with these,
@@ -73,11 +74,8 @@ inline void put_lane(const Vec3 &a, Batch::Lanes *to, int l)
   to[2][l] = a.z;
 }
 
-template <class E> inline void step_lane(Batch &b, int l, const Film &f, double dt)
+template <class E> inline PairCoeffs coeffs_of_lane(const Batch &b, int l)
 {
-  const Body i{get_lane(b.x, l), get_lane(b.v, l), get_lane(b.omega_i, l), b.radius_i[l]};
-  const Body j{{}, {}, get_lane(b.omega_j, l), b.radius_j[l]};
-  const PairGeometry g = pair_geometry(i.x, j.x, i.radius, j.radius, b.a[l]);
   PairCoeffs c{
       {b.g[l], b.asperity[l], {b.alpha[l], b.eps_a[l], b.ln_eps[l], false}}, b.kt[l], b.mu[l]};
   if constexpr (E::threshold) c.threshold = {b.least[l], b.shift[l], b.per_ramp[l]};
@@ -85,6 +83,15 @@ template <class E> inline void step_lane(Batch &b, int l, const Film &f, double 
   if constexpr (E::adhesion) c.normal.gap.ln_release = b.ln_release[l];
   if constexpr (E::repulsion) c.normal.repulsion = {b.repulsion[l], b.per_screening[l]};
   copy_columns<E>([&](std::size_t n) { c.column[n] = b.column[n][l]; });
+  return c;
+}
+
+template <class E> inline void step_lane(Batch &b, int l, const Film &f, double dt)
+{
+  const Body i{get_lane(b.x, l), get_lane(b.v, l), get_lane(b.omega_i, l), b.radius_i[l]};
+  const Body j{{}, {}, get_lane(b.omega_j, l), b.radius_j[l]};
+  const PairGeometry g = pair_geometry(i.x, j.x, i.radius, j.radius, b.a[l]);
+  const PairCoeffs c = coeffs_of_lane<E>(b, l);
   double history[E::HISTORY_SIZE + 1];
   for (int m = 0; m < E::HISTORY_SIZE; m++) history[m] = b.history[m][l];
   const bool usual = next_history_usual<E>(c, f, g, i, j, dt, history, history);
@@ -134,6 +141,32 @@ template <class E>
 step_together(Batch &batch, const Film &film, double dt)
 {
   step_batch<E>(batch, film, dt);
+}
+
+// RESIDUAL: of the present histories.
+template <class E> inline void stresslet_lane(Batch &b, int l, const Film &f)
+{
+  const PairGeometry g = pair_geometry(get_lane(b.x, l), {}, b.radius_i[l], b.radius_j[l], b.a[l]);
+  const PairCoeffs c = coeffs_of_lane<E>(b, l);
+  double history[E::HISTORY_SIZE];
+  for (int m = 0; m < E::HISTORY_SIZE; m++) history[m] = b.history[m][l];
+  const FilmStresslet both =
+      present_stresslet<E>(c, f, g, pair_load<E>(c, f, g, history), history);
+  const SymmetricTensor s = both.normal + both.tangential;
+  b.stresslet[0][l] = s.xx;
+  b.stresslet[1][l] = s.yy;
+  b.stresslet[2][l] = s.zz;
+  b.stresslet[3][l] = s.xy;
+  b.stresslet[4][l] = s.xz;
+  b.stresslet[5][l] = s.yz;
+}
+
+template <class E>
+[[LUBCONTACT_EACH_PROCESSOR gnu::flatten, gnu::noinline]] static void
+stresslets_together(Batch &batch, const Film film)
+{
+  LUBCONTACT_INDEPENDENT_LANES
+  for (int l = 0; l < Batch::WIDTH; l++) stresslet_lane<E>(batch, l, film);
 }
 
 }    // namespace LAMMPS_NS::Lubcontact_NS

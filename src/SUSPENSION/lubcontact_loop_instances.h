@@ -53,8 +53,7 @@ void add_virial(const Force *, const Atom *, LubcontactQueue &);
 template <class E> class LubcontactLoop : protected Pointers {
  public:
   LubcontactLoop(LAMMPS *lmp, const LubcontactStep &now) :
-      Pointers(lmp), step(now), film(now.film),
-      asked(now.tally.asked() || now.tally_atoms || (E::residual && now.virial))
+      Pointers(lmp), step(now), film(now.film), asked(now.tally.asked() || now.tally_atoms)
   {
   }
   void run();
@@ -70,6 +69,7 @@ template <class E> class LubcontactLoop : protected Pointers {
   void flush();
   Load step_alone(int lane, bool advance, PairGeometry &);
   void tally_pair(int lane, const double *old, const PairGeometry &, const Load &);
+  void add_stresslets();
   void tally_stresslet(int lane, double weight, const PairGeometry &, const Load &,
                        const double *history);
   Body body(int i) const
@@ -256,6 +256,8 @@ template <class E> [[gnu::noinline]] void LubcontactLoop<E>::flush()
     if (asked) tally_pair(l, old, geometry, load);
   }
   if (step.virial) add_virial(force, atom, queue);
+  if constexpr (E::residual)
+    if (step.virial) add_stresslets();
   queue.n = 0;
 }
 
@@ -293,6 +295,15 @@ template <class E>
    the virial is that of forces on i, positive if they repel: minus the stresslet
 ------------------------------------------------------------------------- */
 
+template <class E> [[gnu::noinline]] void LubcontactLoop<E>::add_stresslets()
+{
+  fill();    // histories of this step
+  Lubcontact_NS::stresslets_together<E>(queue.batch, film);
+  for (int n = 0; n < 6; n++)
+    for (int l = 0; l < queue.n; l++)
+      queue.virial[n][l] -= step.pairs.share(queue.j[l]) * queue.batch.stresslet[n][l];
+}
+
 template <class E>
 void LubcontactLoop<E>::tally_stresslet(int l, double weight, const PairGeometry &geometry,
                                         const Load &load, const double *history)
@@ -300,12 +311,7 @@ void LubcontactLoop<E>::tally_stresslet(int l, double weight, const PairGeometry
   const int i = queue.i[l], j = queue.j[l];
   const auto s =
       Lubcontact_NS::present_stresslet<E>(*queue.coeffs[l], film, geometry, load, history);
-  const Lubcontact_NS::SymmetricTensor both = s.normal + s.tangential;
-  if (step.virial) {
-    const double six[6] = {both.xx, both.yy, both.zz, both.xy, both.xz, both.yz};
-    for (int n = 0; n < 6; n++) queue.virial[n][l] -= weight * six[n];
-  }
-  if (step.tally_stresslet) step.tally_stresslet(i, j, both);
+  if (step.tally_stresslet) step.tally_stresslet(i, j, s.normal + s.tangential);
   if (step.tally.asked_stress()) step.tally.add_stresslet(i, j, weight, s);
 }
 

@@ -270,60 +270,6 @@ void PairLubcontact::visit_pairs(const Visitor &visit) const
   pairs->visit(instance->covering, *film, visit);
 }
 
-/* ----------------------------------------------------------------------
-   sum over the partners of each atom of the stiffest mode of a pair, particles turning as easily as
-   spin says, or of each if that is given. Returns the number of pairs in range on this rank
-------------------------------------------------------------------------- */
-
-double PairLubcontact::sum_over_partners(double spin, double each)
-{
-  of_partners.assign(atom->nlocal + atom->nghost, 0.0);
-  const bool roll = given->films & Lubcontact_NS::ROLL, twist = given->films & Lubcontact_NS::TWIST;
-  double number = 0.0;
-  pairs->each([&](const LubcontactPairs::Acting &p) {
-    Lubcontact_NS::PairStiffness k{each, each};
-    if (each == 0.0) {
-      const auto &c = pairs->range().of(atom->type[p.i], atom->type[p.j]);
-      const PairGeometry g = pairs->geometry(p.i, p.j, p.a);
-      k = Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, g, atom->radius[p.i],
-                                        atom->radius[p.j], roll, twist);
-      if (film->residual)
-        k = Lubcontact_NS::larger_stiffness(
-            k,
-            Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, Lubcontact_NS::with_lever(g),
-                                          atom->radius[p.i], atom->radius[p.j], roll, twist));
-    }
-    of_partners[p.i] += k.i;
-    of_partners[p.j] += k.j;
-    number += p.weight;
-  });
-  if (force->newton_pair) comm->reverse_comm(this);
-  return number;
-}
-
-void PairLubcontact::count_partners(std::vector<double> &sum)
-{
-  sum_over_partners(0.0, 1.0);
-  sum.swap(of_partners);
-}
-
-void PairLubcontact::sum_stiffness(double spin, std::vector<double> &sum)
-{
-  sum_over_partners(spin, 0.0);
-  sum.swap(of_partners);
-}
-
-int PairLubcontact::pack_reverse_comm(int n, int first, double *buf)
-{
-  for (int m = 0; m < n; m++) buf[m] = of_partners[first + m];
-  return n;
-}
-
-void PairLubcontact::unpack_reverse_comm(int n, int *list, double *buf)
-{
-  for (int m = 0; m < n; m++) of_partners[list[m]] += buf[m];
-}
-
 /* ---------------------------------------------------------------------- */
 
 void PairLubcontact::setup()
@@ -332,13 +278,13 @@ void PairLubcontact::setup()
   lubcontact_checks::check_box(lmp, longest);
   update_viscosity();
   pairs->find_faces(*given);
-  const double number = sum_over_partners(SPIN_OF_INERTIA, 0.0);
+  const double number = sum_over_partners(SPIN_OF_INERTIA);
   std::vector<double> stiffness = of_partners;
   const auto everyone = all(lmp);    // a particle feels the springs of every sub-style
   for (PairLubcontact *other : everyone) {
     if (other == this) continue;
     other->pairs->find_faces(*other->given);    // its own set-up may come later
-    other->sum_over_partners(SPIN_OF_INERTIA, 0.0);
+    other->sum_over_partners(SPIN_OF_INERTIA);
     for (int i = 0; i < atom->nlocal; i++) stiffness[i] += other->of_partners[i];
   }
   dt_limit = lubcontact_checks::step_limit(lmp, stiffness);

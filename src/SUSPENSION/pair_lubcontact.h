@@ -80,8 +80,9 @@ class PairLubcontact : public Pair {
                                      const Lubcontact_NS::Load &)>;
   void visit_pairs(const Visitor &) const;
 
-  // of each particle, ghosts included: how many others are in range; stiffness of their contacts as
-  // lubcontact_stiffness.h has it, spin saying how easily particles turn
+  // of each particle, ghosts included: how many others are in range, once the forces of the step are
+  // known; stiffness of their contacts as lubcontact_stiffness.h has it, spin saying how easily
+  // particles turn
   void count_partners(std::vector<double> &);
   void sum_stiffness(double spin, std::vector<double> &);
 
@@ -113,7 +114,7 @@ class PairLubcontact : public Pair {
   void allocate();
   void check_variable();
   void update_viscosity();
-  double sum_over_partners(double spin, double each);
+  double sum_over_partners(double spin);
 };
 
 }    // namespace LAMMPS_NS

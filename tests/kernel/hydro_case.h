@@ -273,11 +273,14 @@ class GridMobility {
   {
     const int ranks = settings.ranks;
     std::vector<Numbers> fields;
+    std::vector<Stencils> stencils(ranks);
     for (int r = 0; r < ranks; r++) {
-      Stencil stencil(lattice);
-      Numbers field(3 * bricks[r].points());
-      for (std::size_t i = r; i < load.size(); i += ranks)
-        spread(stencil, lattice, bricks[r], spheres.x[i], bodies[i], load[i], field.data());
+      stencils[r].start(lattice, bricks[r]);
+      Numbers field(3 * bricks[r].points() + Stencils::PADDING);
+      for (std::size_t i = r; i < load.size(); i += ranks) {
+        stencils[r].add(spheres.x[i]);
+        spread(stencils[r], i / ranks, bodies[i], load[i], field.data());
+      }
       fields.push_back(field);
     }
     for (int to = 0; to < ranks; to++) {
@@ -298,12 +301,9 @@ class GridMobility {
         unpack_brick(bricks[r], points, solver.layers(), sent.data(), fields[r].data());
       }
     }
-    for (int r = 0; r < ranks; r++) {
-      Stencil stencil(lattice);
+    for (int r = 0; r < ranks; r++)
       for (std::size_t i = r; i < load.size(); i += ranks)
-        motion[i] =
-            interpolate(stencil, lattice, bricks[r], spheres.x[i], bodies[i], fields[r].data());
-    }
+        motion[i] = interpolate(stencils[r], i / ranks, bodies[i], fields[r].data());
   }
 
   void solve() const

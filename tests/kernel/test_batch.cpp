@@ -20,6 +20,7 @@ template <class E> int compare(Random &rnd, const Film &f, double dt)
     put(cases.back(), b, l);
   }
   step_batch<E>(b, f, dt);
+  if constexpr (E::residual) stresslets_together<E>(b, f);
 
   int usual = 0;
   for (int l = 0; l < Batch::WIDTH; l++) {
@@ -33,6 +34,12 @@ template <class E> int compare(Random &rnd, const Film &f, double dt)
     expect_same(get_lane(b.force, l), force_on_i(load, g));
     expect_same(get_lane(b.torque_i, l), torque_on_i(load, g));
     if (E::turns || E::twist) expect_same(get_lane(b.torque_j, l), torque_on_j(load, g));
+    if constexpr (E::residual) {
+      const FilmStresslet both = present_stresslet<E>(k.c, f, g, load, k.history);
+      const SymmetricTensor s = both.normal + both.tangential;
+      const double six[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
+      for (int n = 0; n < 6; n++) EXPECT_EQ(b.stresslet[n][l], six[n]);
+    }
   }
   return usual;
 }

@@ -41,36 +41,43 @@ Load some_load(Random &rnd)
   return get_load(n);
 }
 
-// each point once, with its own exponential
+Stencils stencil(const Lattice &l, const Brick &b, const Vec3 &center)
+{
+  Stencils s;
+  s.start(l, b);
+  s.add(center);
+  return s;
+}
+
+// each point within reach once, with its own exponential; beyond it the same or nothing
 TEST(HydroGrid, StencilIsTheGaussianAtAllPointsWithinReach)
 {
   Random rnd(11);
   for (int trial = 0; trial < 8; trial++) {
     Lattice l = tilted_lattice();
     if (trial % 2) l.cell.xz = l.cell.yz = 0.0;
+    if (trial > 5) l.reach = 3.0 * l.width;
     const Vec3 center = rnd.vector(9.0), g = lattice_place(l, center);
     const Brick b = brick_for(l, g, g);
-    std::vector<double> expected(b.points()), found(b.points());
+    const Stencils s = stencil(l, b, center);
+    std::vector<double> found(b.points() + Stencils::PADDING);
+    for_each_eight(s, 0, {{}, 0.0, 0.0},
+                   [&](int n, double, double, const Lanes &of_force, const Lanes &, const Lanes &) {
+                     for (int lane = 0; lane < LANES; lane++) found[n + lane] += of_force[lane];
+                   });
+    int beyond = 0;
     for_each_point(b, [&](int i, int j, int k) {
       const Vec3 y = point(l, i, j, k) - center;
-      if (norm(y) < l.reach)
-        expected[b.index(i, j, k)] = std::exp(-0.5 * dot(y, y) / (l.width * l.width)) /
-            std::pow(2.0 * PI_ * l.width * l.width, 1.5);
-    });
-    Stencil stencil(l);
-    stencil.for_each_row(center, [&](const Row &row) {
-      for (int n = 0; n < row.number; n++) {
-        const Vec3 y = point(l, row.i + n, row.j, row.k) - center;
-        EXPECT_NEAR(y.y, row.y, 1e-12);
-        EXPECT_NEAR(y.z, row.z, 1e-12);
-        for (int m = 0; m < 4; m++) {
-          EXPECT_NEAR(row.column[m][n], row.column[0][n] * std::pow(y.x, m), 1e-12);
-          EXPECT_EQ(row.column[m][n], row.row[n][m]);
-        }
-        found[b.index(row.i + n, row.j, row.k)] += row.factor * row.column[0][n];
+      const double expected = std::exp(-0.5 * dot(y, y) / (l.width * l.width)) /
+          std::pow(2.0 * PI_ * l.width * l.width, 1.5);
+      const double value = found[b.index(i, j, k)];
+      if (norm(y) < l.reach || value != 0.0) {
+        EXPECT_NEAR(value, expected, 1e-14);
       }
+      beyond += norm(y) > l.reach && value != 0.0;
     });
-    for (std::size_t n = 0; n < found.size(); n++) EXPECT_NEAR(found[n], expected[n], 1e-14);
+    EXPECT_LT(beyond, b.points() / 4);
+    for (int n = 0; n < Stencils::PADDING; n++) EXPECT_EQ(found[b.points() + n], 0.0);
   }
 }
 
@@ -83,9 +90,8 @@ TEST(HydroGrid, SpreadHasForceAndFirstMoment)
     const Vec3 center = rnd.vector(4.0), g = lattice_place(l, center);
     const Brick b = brick_for(l, g, g);
     const Load load = some_load(rnd);
-    std::vector<double> f(3 * b.points());
-    Stencil stencil(l);
-    spread(stencil, l, b, center, make_body(radius, l.width), load, f.data());
+    std::vector<double> f(3 * b.points() + Stencils::PADDING);
+    spread(stencil(l, b, center), 0, make_body(radius, l.width), load, f.data());
     Vec3 force;
     Tensor moment;
     for_each_point(b, [&](int i, int j, int k) {
@@ -109,7 +115,7 @@ TEST(HydroGrid, LinearFlowsAreInterpolatedAsTheyAre)
     const Vec3 center = rnd.vector(4.0), g = lattice_place(l, center), u0 = rnd.vector(1.0);
     const Tensor gradient{rnd.vector(1.0), rnd.vector(1.0), rnd.vector(1.0)};
     const Brick b = brick_for(l, g, g);
-    std::vector<double> u(3 * b.points());
+    std::vector<double> u(3 * b.points() + Stencils::PADDING);
     for_each_point(b, [&](int i, int j, int k) {
       const Vec3 here = u0 + gradient * (point(l, i, j, k) - center);
       const std::size_t n = b.index(i, j, k);
@@ -117,8 +123,7 @@ TEST(HydroGrid, LinearFlowsAreInterpolatedAsTheyAre)
       u[n + b.points()] = here.y;
       u[n + 2 * b.points()] = here.z;
     });
-    Stencil stencil(l);
-    const Motion m = interpolate(stencil, l, b, center, make_body(radius, l.width), u.data());
+    const Motion m = interpolate(stencil(l, b, center), 0, make_body(radius, l.width), u.data());
     expect_near(m.velocity, u0, 1e-9);
     expect_near(m.gradient.x, gradient.x, 1e-9);
     expect_near(m.gradient.y, gradient.y, 1e-9);
@@ -134,11 +139,11 @@ TEST(HydroGrid, SpreadAndInterpolateAreAdjoint)
   const Brick b = brick_for(l, g, g);
   const Body body = make_body(0.7, l.width);
   const Load load = some_load(rnd);
-  std::vector<double> f(3 * b.points()), u(3 * b.points());
+  std::vector<double> f(3 * b.points() + Stencils::PADDING), u(f.size());
   for (double &value : u) value = rnd.uniform(-1.0, 1.0);
-  Stencil stencil(l);
-  spread(stencil, l, b, center, body, load, f.data());
-  const Motion m = interpolate(stencil, l, b, center, body, u.data());
+  const Stencils s = stencil(l, b, center);
+  spread(s, 0, body, load, f.data());
+  const Motion m = interpolate(s, 0, body, u.data());
   double sum = 0.0;
   for (std::size_t n = 0; n < f.size(); n++) sum += f[n] * u[n] * l.point_volume();
   EXPECT_NEAR(dot(load.force, m.velocity) + contraction(load.dipole, m.gradient), sum, 1e-13);
@@ -150,21 +155,36 @@ TEST(HydroGrid, BrickHoldsWhatItsCentersReach)
   Random rnd(15);
   const Vec3 low{-3.0, 2.0, 5.0}, high{4.0, 6.0, 9.0};
   const Brick b = brick_for(l, low, high);
-  Stencil stencil(l);
   for (int trial = 0; trial < 30; trial++) {
     const double x = rnd.uniform(low.x, high.x) / l.nx, y = rnd.uniform(low.y, high.y) / l.ny,
                  z = rnd.uniform(low.z, high.z) / l.nz;
     const Cell &c = l.cell;
     const Vec3 center =
         c.origin + Vec3{x * c.xprd + y * c.xy + z * c.xz, y * c.yprd + z * c.yz, z * c.zprd};
-    stencil.for_each_row(center, [&](const Row &row) {
-      EXPECT_GE(row.i, b.low[0]);
-      EXPECT_LE(row.i + row.number, b.low[0] + b.size[0]);
-      EXPECT_GE(row.j, b.low[1]);
-      EXPECT_LT(row.j, b.low[1] + b.size[1]);
-      EXPECT_GE(row.k, b.low[2]);
-      EXPECT_LT(row.k, b.low[2] + b.size[2]);
+    const Vec3 g = lattice_place(l, center);
+    const Brick own = brick_for(l, g, g);
+    for (int d = 0; d < 3; d++) {
+      EXPECT_GE(own.low[d], b.low[d]);
+      EXPECT_LE(own.low[d] + own.size[d], b.low[d] + b.size[d]);
+    }
+    // all of it, in a brick that holds it as in one that is too large
+    Brick large = own;
+    for (int d = 0; d < 3; d++) {
+      large.low[d] -= 9;
+      large.size[d] += 18;
+    }
+    std::vector<double> f(3 * own.points() + Stencils::PADDING);
+    std::vector<double> more(3 * large.points() + Stencils::PADDING);
+    const Load load = some_load(rnd);
+    spread(stencil(l, own, center), 0, make_body(1.0, l.width), load, f.data());
+    spread(stencil(l, large, center), 0, make_body(1.0, l.width), load, more.data());
+    double of_f = 0.0, of_more = 0.0;
+    for (const double value : f) of_f += std::fabs(value);
+    for (const double value : more) of_more += std::fabs(value);
+    for_each_point(own, [&](int i, int j, int k) {
+      EXPECT_EQ(f[own.index(i, j, k)], more[large.index(i, j, k)]);
     });
+    EXPECT_NEAR(of_f, of_more, 1e-12 * of_f);
   }
 }
 

@@ -151,61 +151,6 @@ TEST(PairResidual, IsTheSameFromEitherSphere)
   }
 }
 
-// In a flow that the spheres follow exactly there is no force, and the stresslet is that of the
-// form at rest; a turned frame turns everything.
-TEST(PairResidual, HasNoForceOfItsOwnMotionInAFlow)
-{
-  const Strain strain = way_strain();
-  const WayCase &c = WAY_CASES[0];
-  const double a = effective_radius(Radius::HARMONIC, c.radius_i, c.radius_j);
-  const PairGeometry g = pair_geometry((c.radius_i + c.radius_j + 0.4 * a) * Vec3{0.6, 0.0, 0.8},
-                                       {}, c.radius_i, c.radius_j, a);
-  Film f = make_residual(WAY_ETA, 2.0, strain);
-  const PairStrain flow = pair_strain(strain, g.n);
-  const double delta = size_difference(g);
-  const ResidualPlace p = residual_place(0.4, std::log(0.4), delta);
-  // at the force F = 0 of each film the rates are part e, slide e_t, turn e_t: dPhi/dw = 0 and so on
-  const FlowResponse r = flow_response(f, g, 0.4, std::log(0.4), false);
-  const double A = squeeze_coeff(WAY_ETA) * a / 0.4 * residual<RESIDUAL_SQUEEZE>(p);
-  const double push = WAY_ETA * a * a * residual<RESIDUAL_PUSH>(p);
-  EXPECT_NEAR(A * r.part, push, 1e-14);
-  const double C = WAY_ETA * a * a * a * residual<RESIDUAL_STRETCH>(p);
-  EXPECT_NEAR(r.stretch, C - push * push / A, 1e-14);
-  // a rubbing contact keeps its place and all of the heat of slip
-  const FlowResponse rubs = flow_response(f, g, 0.4, std::log(0.4), true);
-  EXPECT_EQ(rubs.slide, 0.0);
-  const TangentialResidual t = residual_films(f, a, delta, p);
-  EXPECT_NEAR(rubs.extend - r.extend, t.shear * t.slide * t.slide, 1e-14);
-  // sizes: e and e_t of the flow, traceless
-  const FilmStresslet s = film_stresslet(r, strain, g.n, 0.3, {0.8, 1.0, -0.6}, {0.0, 2.0, 0.0});
-  EXPECT_NEAR(s.normal.xx + s.normal.yy + s.normal.zz, 0.0, 1e-15);
-  EXPECT_NEAR(s.tangential.xx + s.tangential.yy + s.tangential.zz, 0.0, 1e-15);
-  const Vec3 of_n = strained(s.normal, g.n);
-  EXPECT_NEAR(dot(of_n, g.n), 2.0 / 3.0 * (r.part * 0.3 + r.stretch * flow.along), 1e-14);
-}
-
-// Without a film there is nothing of it, in the flow either.
-TEST(PairResidual, FilmsThatAreOffDoNothing)
-{
-  const WayCase &c = WAY_CASES[0];
-  const double a = effective_radius(Radius::HARMONIC, c.radius_i, c.radius_j);
-  const PairGeometry g = pair_geometry(place(c, 0.0), {}, c.radius_i, c.radius_j, a);
-  const Film all = make_residual(WAY_ETA, 2.0, way_strain());
-  const double delta = size_difference(g), u_a = 0.2, ln_u = std::log(u_a);
-  const ResidualPlace p = residual_place(u_a, ln_u, delta);
-  const TangentialResidual off =
-      residual_films(without_films(all, false, false, false), a, delta, p);
-  EXPECT_EQ(off.shear, 0.0);
-  EXPECT_EQ(off.roll, 0.0);
-  EXPECT_EQ(off.twist, 0.0);
-  const TangentialResidual on = residual_films(without_films(all, true, true, true), a, delta, p);
-  EXPECT_GT(on.shear, 0.0);
-  EXPECT_GT(on.roll, 0.0);
-  EXPECT_GT(on.twist, 0.0);
-  EXPECT_EQ(flow_response(without_films(all, false, true, true), g, u_a, ln_u, false).extend, 0.0);
-  EXPECT_NE(flow_response(all, g, u_a, ln_u, false).extend, 0.0);
-}
-
 TEST(PairResidual, InstancesCoverAllEffects)
 {
   for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {

@@ -14,6 +14,32 @@ namespace {
 static constexpr unsigned ALL = NUM_COMBINATIONS - 1;
 static const Film VISCOUS = make_film(2.0, 1.0, Range::SHIFTED, 0.6);
 
+// RESIDUAL: in a flow.
+template <class E> Film film_of()
+{
+  if (!E::residual) return VISCOUS;
+  Film f = make_film(2.0, 2.0, Range::RESIDUAL, 0.6);
+  f.strain = {0.2, -0.05, -0.15, 0.3, -0.1, 0.25};
+  return f;
+}
+
+double power(const SymmetricTensor &s, const Strain &e)
+{
+  return s.xx * e.xx + s.yy * e.yy + s.zz * e.zz + 2.0 * (s.xy * e.xy + s.xz * e.xz + s.yz * e.yz);
+}
+
+// That a flow puts into a pair beside the work of its forces.
+template <class E>
+double stresslet_power(const PairCoeffs &c, const Film &f, const PairGeometry &g, const Load &load,
+                       const double *history)
+{
+  if constexpr (E::residual) {
+    const FilmStresslet s = present_stresslet<E>(c, f, g, load, history);
+    return power(s.normal + s.tangential, f.strain);
+  }
+  return 0.0;
+}
+
 PairCoeffs make_coeffs()
 {
   PairCoeffs c{{1000.0, 800.0, {0.8, 0.03, std::log(0.03), false}}, 700.0, 0.5};
@@ -46,13 +72,14 @@ template <class E> Sums follow(std::uint64_t seed, int steps, double dt)
     return ((ri + rj + a * (0.03 + gap(t))) / norm(d)) * d;
   };
   const PairCoeffs c = make_coeffs();
+  const Film film = film_of<E>();
   double history[E::HISTORY_SIZE + 1], old[E::HISTORY_SIZE + 1];
   PairGeometry g = pair_geometry(place(0.0), {}, ri, rj, a);
   first_history<E>(c, g, history);
   auto total = [&](const Energies &e) {
     return std::accumulate(e.of, e.of + NUM_ORIGINS, 0.0);
   };
-  Load load = pair_load<E>(c, VISCOUS, g, history);
+  Load load = pair_load<E>(c, film, g, history);
   double stored = total(stored_energy<E>(c, g, load, history));
 
   Sums sums;
@@ -62,15 +89,17 @@ template <class E> Sums follow(std::uint64_t seed, int steps, double dt)
     const Body j{{}, {}, wj(t - 0.5 * dt), rj};
     const PairGeometry g0 = g;
     const Load l0 = load;
+    const double put0 = stresslet_power<E>(c, film, g, load, history);
     for (int m = 0; m < E::HISTORY_SIZE; m++) old[m] = history[m];
     g = pair_geometry(i.x, j.x, ri, rj, a);
-    next_history<E>(c, VISCOUS, g, i, j, dt, old, history);
-    load = pair_load<E>(c, VISCOUS, g, history);
+    next_history<E>(c, film, g, i, j, dt, old, history);
+    load = pair_load<E>(c, film, g, history);
     const Vec3 F = 0.5 * (force_on_i(l0, g0) + force_on_i(load, g));
     const Vec3 Ti = 0.5 * (torque_on_i(l0, g0) + torque_on_i(load, g));
     const Vec3 Tj = 0.5 * (torque_on_j(l0, g0) + torque_on_j(load, g));
     sums.work -= dt * (dot(F, i.v) + dot(Ti, i.omega) + dot(Tj, j.omega));
-    const Energies heat = step_loss<E>(c, VISCOUS, g, i, j, dt, old, history);
+    sums.work += 0.5 * dt * (put0 + stresslet_power<E>(c, film, g, load, history));
+    const Energies heat = step_loss<E>(c, film, g, i, j, dt, old, history);
     for (int m = 0; m < NUM_ORIGINS; m++) sums.heat.of[m] += heat.of[m];
     const double now = total(stored_energy<E>(c, g, load, history));
     sums.change += now - stored;
@@ -80,10 +109,9 @@ template <class E> Sums follow(std::uint64_t seed, int steps, double dt)
   return sums;
 }
 
-template <unsigned MASK> void expect_balance()
+template <class E> void expect_balance()
 {
-  SCOPED_TRACE("mask " + std::to_string(MASK));
-  using E = Effects<MASK>;
+  SCOPED_TRACE("mask " + std::to_string(E::mask) + (E::residual ? " residual" : ""));
   for (std::uint64_t seed = 1; seed < 5; seed++) {
     const Sums coarse = follow<E>(seed, 2000, 0.01), fine = follow<E>(seed, 8000, 0.0025);
     EXPECT_LE(std::fabs(fine.defect()), 2e-4 * fine.peak);
@@ -96,16 +124,24 @@ template <unsigned MASK> void expect_balance()
 
 TEST(Power, WorkIsHeatPlusStored)
 {
-  expect_balance<ALL>();
-  expect_balance<ALL & ~SQUEEZE>();
-  expect_balance<ALL & ~SHEAR>();
-  expect_balance<ALL & ~REPULSION>();
-  expect_balance<31>();
-  expect_balance<SQUEEZE>();
-  expect_balance<FRICTION>();
-  expect_balance<ADHESION>();
-  expect_balance<ADHESION | REPULSION | FRICTION>();
-  expect_balance<ROLL | TWIST>();
+  expect_balance<Effects<ALL>>();
+  expect_balance<Effects<ALL & ~SQUEEZE>>();
+  expect_balance<Effects<ALL & ~SHEAR>>();
+  expect_balance<Effects<ALL & ~REPULSION>>();
+  expect_balance<Effects<31>>();
+  expect_balance<Effects<SQUEEZE>>();
+  expect_balance<Effects<FRICTION>>();
+  expect_balance<Effects<ADHESION>>();
+  expect_balance<Effects<ADHESION | REPULSION | FRICTION>>();
+  expect_balance<Effects<ROLL | TWIST>>();
+}
+
+TEST(Power, AlsoOfResidualFilmsInAFlow)
+{
+  static constexpr unsigned FILMS = SQUEEZE | SHEAR | ROLL | TWIST;
+  expect_balance<WithResidual<Effects<FILMS>>>();
+  expect_balance<WithResidual<Effects<FILMS | FRICTION>>>();
+  expect_balance<WithResidual<Effects<ALL>>>();
 }
 
 TEST(Power, EveryOriginOfHeatTakesPart)

@@ -254,9 +254,13 @@ TEST(SceneVerdict, SurfaceForcesNeedAPartOfTheConfinement)
 TEST(SceneVerdict, FarFieldNeedsRoom)
 {
   expect_flip(DRAG, &Scene::phi, 0.45, NEEDED, NOT_NEEDED);
-  expect_flip(FAR_HYDRODYNAMICS, &Scene::phi, 0.45, LIMITED, NOT_NEEDED);
-  expect_flip(FAR_HYDRODYNAMICS, &Scene::phi, 0.2, BEYOND, LIMITED);
+  expect_flip(FAR_HYDRODYNAMICS, &Scene::phi, 0.45, NEEDED, NOT_NEEDED);
   Scene s = paste();
+  s.phi = 0.149;
+  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("level mean: phi = 0.149"), std::string::npos);
+  s.phi = 0.151;
+  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("level mean or grid: phi = 0.151"),
+            std::string::npos);
   s.dimension = 2.0;
   EXPECT_EQ(answer(s, FAR_HYDRODYNAMICS), CANNOT_TELL);
 }
@@ -272,7 +276,7 @@ TEST(SceneVerdict, SaysHowMuchFarHydrodynamicsIsMissing)
 
   Scene s = paste();
   s.phi = 0.35;
-  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("viscosity about 30 % low: phi = 0.35"),
+  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("viscosity about 30 % low with films alone: phi = 0.35"),
             std::string::npos);
   s.phi = 0.25;
   EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("more than 40 % low"), std::string::npos);

@@ -110,3 +110,26 @@ TEST(Stiffness, OfTheSphereThatSpinsMoreEasilyIsThatOfASphereOfItsOwn)
                   3.0 * std::fmax(1.0 + q, twisting), 1e-12);
     }
 }
+
+TEST(Stiffness, OfResidualFilmsIsThatOfTheirArms)
+{
+  Random rnd(3);
+  for (int trial = 0; trial < 1000; trial++) {
+    const double rj = rnd.log_uniform(0.25, 4.0), a = effective_radius(Radius::HARMONIC, 1.0, rj);
+    const double gap = a * rnd.uniform(-0.02, 1.0);
+    const PairGeometry p = pair_geometry({1.0 + rj + gap, 0, 0}, {}, 1.0, rj, a);
+    const PairGeometry off = with_lever(p);
+    EXPECT_NEAR(off.arm_i + off.arm_j, p.r, 1e-14 * p.r);
+    const double u_a = std::fmax(1e-6, p.un_a), delta = size_difference(p);
+    const TangentialResidual t =
+        tangential_residual(1.0, a, delta, residual_place(u_a, std::log(u_a), delta));
+    EXPECT_NEAR(p.arm_i - off.arm_i, t.lever, 1e-13);
+    const PairStiffness k =
+        larger_stiffness(pair_stiffness(0.0, 1.0, SPIN_OF_INERTIA, p, 1.0, rj, true, true),
+                         pair_stiffness(0.0, 1.0, SPIN_OF_INERTIA, off, 1.0, rj, true, true));
+    const double mj = rj * rj * rj;
+    for (const PairGeometry &arms : {p, off})
+      EXPECT_GE(bound(k, 1.0, mj),
+                largest(springs_of(arms), {1.0, mj, 0.4, 0.4 * mj * rj * rj}) * (1.0 - 1e-9));
+  }
+}

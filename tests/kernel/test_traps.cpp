@@ -74,6 +74,7 @@ template <class E> void step_alone(const Wild &w, const Film &film)
   stored_energy<E>(w.c, g, load, next);
   pair_energy<E>(w.c, g, load);
   force_by_channel(g, load);
+  if constexpr (E::residual) present_stresslet<E>(w.c, film, g, load, next);
   step_loss<E>(w.c, film, g, w.i, w.j, w.dt, w.history, next);
   first_history<E>(w.c, g, next);
   load = pair_load<E>(w.c, film, g, next);
@@ -83,8 +84,24 @@ template <class E> void step_alone(const Wild &w, const Film &film)
 // Each effect by itself, all of them, and the extensions.
 template <class F> void for_every_law(F &&f)
 {
-  call_each(f, std::integer_sequence<unsigned, 0, 1, 2, 4, 7, 8, 16, 31>{});
-  for_extended_masks(f);
+  auto one = [&f](auto mask) {
+    f(Effects<mask.value>());
+  };
+  call_each(one, std::integer_sequence<unsigned, 0, 1, 2, 4, 7, 8, 16, 31>{});
+  for_extended_masks(one);
+  auto residual = [&f](auto mask) {
+    f(WithResidual<Effects<mask.value>>());
+  };
+  call_each(residual, std::integer_sequence<unsigned, 27, 31, 255>{});
+}
+
+// The same film, or a residual one in a strong flow.
+template <class E> Film of_law(const Film &f)
+{
+  if (!E::residual) return f;
+  Film film = make_film(f.viscosity, 2.0, Range::RESIDUAL, 0.6);
+  film.strain = {3.0, -1.0, -2.0, 50.0, 0.0, 0.3};
+  return film;
 }
 
 }    // namespace
@@ -96,10 +113,10 @@ TEST(Traps, BatchesThatArePartlyFilledOrEmpty)
       << "with -fno-trapping-math Clang computes both sides of a choice, 0/0 on the other one";
 #endif
   for (const Range rule : {Range::CUT, Range::SHIFTED})
-    for_every_law([rule](auto mask) {
-      using E = Effects<mask.value>;
-      const Film film = make_film(1.0, 0.5, rule, 0.6);
-      Random rnd(mask.value);
+    for_every_law([rule](auto effects) {
+      using E = decltype(effects);
+      const Film film = of_law<E>(make_film(1.0, 0.5, rule, 0.6));
+      Random rnd(E::mask);
       for (int filled = 0; filled < Batch::WIDTH; filled++) {
         Batch b = idle_batch();
         exceptions();
@@ -111,6 +128,7 @@ TEST(Traps, BatchesThatArePartlyFilledOrEmpty)
           }
           exceptions();
           step_batch<E>(b, film, 1e-4);
+          if constexpr (E::residual) stresslets_together<E>(b, film);
           EXPECT_EQ(exceptions(), "") << filled << " pairs";
         }
       }
@@ -119,14 +137,14 @@ TEST(Traps, BatchesThatArePartlyFilledOrEmpty)
 
 TEST(Traps, BatchesOfStepsThatAreNotUsual)
 {
-  for_every_law([](auto mask) {
-    using E = Effects<mask.value>;
-    Random rnd(100 + mask.value);
+  for_every_law([](auto effects) {
+    using E = decltype(effects);
+    Random rnd(100 + E::mask);
     int unusual = 0;
     for (int trial = 0; trial < 300; trial++) {
       Batch b = idle_batch();
       const Wild first(rnd);
-      const Film film = trial % 10 ? first.film : make_film(0.0, 0.5, Range::CUT, 0.6);
+      const Film film = of_law<E>(trial % 10 ? first.film : make_film(0.0, 0.5, Range::CUT, 0.6));
       for (int l = 0; l < Batch::WIDTH; l++) {
         Wild w(rnd);
         w.set_wild_history<E>(rnd);
@@ -136,6 +154,7 @@ TEST(Traps, BatchesOfStepsThatAreNotUsual)
       }
       exceptions();
       step_batch<E>(b, film, first.dt);
+      if constexpr (E::residual) stresslets_together<E>(b, film);
       EXPECT_EQ(exceptions(), "") << "trial " << trial;
       for (const double usual : b.usual) unusual += usual == 0.0;
     }
@@ -145,13 +164,13 @@ TEST(Traps, BatchesOfStepsThatAreNotUsual)
 
 TEST(Traps, PairsByThemselves)
 {
-  for_every_law([](auto mask) {
-    using E = Effects<mask.value>;
-    Random rnd(200 + mask.value);
+  for_every_law([](auto effects) {
+    using E = decltype(effects);
+    Random rnd(200 + E::mask);
     for (int trial = 0; trial < 1000; trial++) {
       Wild w(rnd);
       w.set_wild_history<E>(rnd);
-      const Film film = trial % 10 ? w.film : make_film(0.0, 0.5, Range::CUT, 0.6);
+      const Film film = of_law<E>(trial % 10 ? w.film : make_film(0.0, 0.5, Range::CUT, 0.6));
       exceptions();
       step_alone<E>(w, film);
       ASSERT_EQ(exceptions(), "") << "trial " << trial;

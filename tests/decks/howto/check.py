@@ -117,6 +117,17 @@ deck.expect_close("the bed rests", table["v_v"][-1], 0, atol=1e-3)
 deck.expect("it was a suspension", table["v_v"].max() > 0.1, f"{table['v_v'].max():.3f}")
 deck.expect("the adviser knows that it settles", "No input lines: the system is not sheared" in text)
 
+# Howto_hydrodynamics: a shear on both levels, and particles that settle
+shear, settling = scripts("doc/src/Howto_hydrodynamics.rst")
+films, far = indented("doc/src/Howto_hydrodynamics.rst", "pair_style      lubcontact 1.0 residual 1\n   fix", "Particles that settle", 3).splitlines()[:2]
+level = "fix             far all hydro mean"
+deck.expect("the lines of the level are in the script", level in shear and "pair_style      lubcontact 1.0 cut 0.5" in shear)
+for name, script in (("mean", shear), ("grid", shear.replace(level, far).replace("pair_style      lubcontact 1.0 cut 0.5", films))):
+    table = deck.Run(run(f"hydro_{name}", shortened(script, 200), N=100), 0).thermo()
+    deck.expect(f"hydro {name}: the far field has a part of the stress", 0.4 < table["v_far"][-1] < 3, f"{table['v_far'][-1]:.3g}")
+table = deck.Run(run("settling", shortened(settling, 100), N=60), 0).thermo()
+deck.expect_close("it settles slower than alone", table["v_settling"][-1], 0.55, atol=0.1)
+
 # Howto_pore_pressure: a layer that begins to shear sucks; and the periodic piece of it
 script, = scripts("doc/src/Howto_pore_pressure.rst")
 table = deck.Run(run("layer", script.replace("run             3000", "run             1500"), N=150, rest=40), 0).thermo()

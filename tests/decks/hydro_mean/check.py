@@ -149,12 +149,32 @@ def rounding():
         o = read(CELL / "in.cell", hydro="mean", range="cut 0.5", steps=60, **variables)
         for name in names:
             deck.expect_close(f"{other}: {name}", o[name], t[name], atol=1e-9 * np.max(np.abs(t[name])))
-    servo = "deform/rheometer rate 1.0 pressure 40"
+    servo = "deform/rheometer rate 1.0 pressure 40 start 1.0"
     whole = read(CELL / "in.cell", hydro="mean", range="cut 0.5", flow=servo, steps=70, grid=GRID, half="yes")
     again = read(CELL / "in.restarted", hydro="mean", flow=servo, steps=70, grid=GRID)
     del whole["v_momentum"], again["v_momentum"]
     deck.expect_same_bits("restart: particles", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
     deck.expect_same_bits("restart: output", again, whole)
+
+
+def control():
+    """The stresslets are in the stress that the rheometer measures, and a stress drives a dilute suspension as Einstein says."""
+    rows = [[f"c_stress[{m}][{n}]" for m in range(1, 9)] for n in (2, 4)]
+    for flow in ("rate 1.0 pressure 40 every 1 start 1.0", "stress 5 pressure 20 every 1 start 1.0"):
+        t = read(CELL / "in.cell", hydro="mean", range="cut 0.5", flow="deform/rheometer " + flow, steps=100,
+                 more=" ".join(["f_flow[2] f_flow[4] f_flow[5]", *rows[0], *rows[1]]))
+        yy, xy = (np.sum([t[name] for name in names], axis=0) for names in rows)
+        scale = np.max(np.abs(yy)) + np.max(np.abs(xy))
+        deck.expect_close(f"{flow}: pressure of all rows", t["f_flow[4]"] / scale, -yy / scale, atol=1e-10)
+        deck.expect_close(f"{flow}: stress of all rows", t["f_flow[5]"] / scale, xy / scale, atol=1e-10)
+        deck.expect(f"{flow}: stresslets resist the dilation", np.max(np.abs(t["yy"])) > 1e-3 * scale, np.max(np.abs(t["yy"])))
+    rnd = np.random.default_rng(4)
+    edge, radius = 16.0, np.full(20, 1.2)
+    x = random_spheres(rnd, np.diag([edge] * 3), radius, gap=0.9)
+    write_spheres("spheres.data", np.diag([edge] * 3), x, radius, 0 * x, 0 * x, triclinic=True)
+    t = read(flow="deform/rheometer stress 0.3 volume", step=1e-3, steps=1500, density=1e-4, g=1.0, more="f_flow[2]")
+    rate = 0.3 / (ETA * (1 + 2.5 * 20 * 4 / 3 * np.pi * 1.2**3 / edge**3))
+    deck.expect_close("dilute under a stress: rate", t["f_flow[2]"][-1], rate, rtol=1e-4)
 
 
 if __name__ == "__main__":
@@ -165,4 +185,5 @@ if __name__ == "__main__":
     if SINGLE:
         network()
         balance()
+        control()
     deck.finish()

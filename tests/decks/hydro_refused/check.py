@@ -77,13 +77,18 @@ CASES = [    # lines in place of the fix, message, underlined word or None, vari
     (F + "\nfix p all pore/pressure 1", "describe the same fluid twice: remove one of them", None),
     ("unfix move\ngroup a id 1\ngroup b id 2\ngroup m id 3\nfix c m rheometer/plates a b rate 0 gap\n" + F, "the plates of fix c would be spheres", None, {"boundary": "p m p"}),
     (F + "\nfix b some drag/background 1", "has the drag of 2 particles already: remove fix b drag/background", None),
-    ("unfix move\nfix o all overdamped/sphere 1\n" + F, "fix o overdamped/sphere, which has a drag of its own: use fix nve/sphere", None),
+    ("unfix move\nfix o all overdamped/sphere 1\n" + F, "fix o overdamped/sphere, which has a drag of its own: use fix o overdamped/sphere hydro", None),
+    ("unfix move\nfix o all overdamped/sphere 1\n" + M, "fix o overdamped/sphere, which has a drag of its own on all: use fix nve/sphere", None),
+    ("unfix move\nfix o all overdamped/sphere hydro\n" + M, "needs a fix hydro grid, which has the drag of all particles", None),
+    (NO_FILMS + "unfix move\nfix o all overdamped/sphere hydro", "needs a fix hydro grid, which has the drag of all particles", None),
+    ("unfix move\nfix o all overdamped/sphere hydro cell", "has its fluid elsewhere: cell cannot act; remove it", "cell"),
+    ("unfix move\nfix o all overdamped/sphere hydro\n" + F.replace("all", "some"), "which is not in the group of fix h: use the same group", None),
     ("neigh_modify exclude group some some\n" + F, "use neigh_modify exclude none", None),
     (F + "\nfix g all gravity 1 vector 0 -1 0", "Fix g gravity may add forces after fix hydro, which needs all other forces: "
      "define it before fix hydro", None),
 ]
 
-GOOD = (NO_FILMS + F, "pair_style lubcontact 1 residual 2 shear no gap euler\npair_coeff * * 1 1\n" + F, M, M + " viscosity v_eta isolated 2" + SHEAR, "fix p all pore/pressure 1 coupling off\n" + M, F + " hold auto", F + " hold 3 2", STYLE + " grid" + SHEAR, "fix g all gravity 1 vector 0 -1 0\n" + F + "\nfix a all ave/time 1 1 1 f_h[*]",
+GOOD = (NO_FILMS + F, "unfix move\nfix o all overdamped/sphere hydro\n" + F, "pair_style lubcontact 1 residual 2 shear no gap euler\npair_coeff * * 1 1\n" + F, M, M + " viscosity v_eta isolated 2" + SHEAR, "fix p all pore/pressure 1 coupling off\n" + M, F + " hold auto", F + " hold 3 2", STYLE + " grid" + SHEAR, "fix g all gravity 1 vector 0 -1 0\n" + F + "\nfix a all ave/time 1 1 1 f_h[*]",
         "fix h some hydro grid every 1\nfix w some setforce 0 0 0", F + " viscosity v_eta", F + " viscosity pair width 0.8 spacing 0.7 support 4 reach 6")
 TEMPLATE = (deck.CASE / "in.refused").read_text()
 USUAL = {"atoms": "sphere", "boundary": "p p p", "dim": 3, "thick": "0 12"}

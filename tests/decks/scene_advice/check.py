@@ -164,15 +164,15 @@ deck.expect("dry: input lines", "pair_style lubcontact 0 cut 0.5 squeeze no shea
 
 # dilute
 scene = Advice(scale=1.4)
-scene.expect("dilute", drag="needed", far_hydrodynamics="beyond this package", friction="not needed")
+scene.expect("dilute", drag="needed", far_hydrodynamics="needed", friction="not needed")
 deck.expect_close("dilute: phi", float(re.search(r"phi (\S+), N", scene.text).group(1)), phi / 1.4**3, rtol=6e-3)
-deck.expect("dilute: input lines", "fix drag all drag/background pair cell\n" in scene.lines and "roughness 0.01 friction none\n" in scene.lines,
+deck.expect("dilute: input lines", "  fix far all hydro mean\n" in scene.lines and "drag/background" not in scene.lines and "roughness 0.01 friction none\n" in scene.lines,
             scene.lines)
 
 # between: the viscosity is too low, by what examples/shear_rate has measured at 0.40 and 0.30
 scene = Advice(scale=1.08)
-scene.expect("semi-dilute", drag="needed", far_hydrodynamics="accuracy limited")
-low = float(re.search(r"viscosity about (\S+) % low: phi", scene.text).group(1))
+scene.expect("semi-dilute", drag="needed", far_hydrodynamics="needed")
+low = float(re.search(r"viscosity about (\S+) % low with films alone: phi", scene.text).group(1))
 deck.expect_close("semi-dilute: viscosity too low by", low, np.interp(phi / 1.08**3, [0.30, 0.40], [40, 20]), atol=0.3)
 
 # inertial, and so much that the films are idle

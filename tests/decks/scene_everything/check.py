@@ -19,7 +19,7 @@ def run(out, first=False, **variables):
     deck.run(DECK, measure="never" if first else "no", out=out, **variables)
     rows = np.loadtxt(f"samples.{out}")
     start = 0 if first else 175
-    return rows[(rows[:, 0] > start + 50) & (rows[:, 0] <= start + 100)][:, 1:] * [1, -1, 1, 1, 1, 1, 1, 1, 1]
+    return rows[(rows[:, 0] > start + 50) & (rows[:, 0] <= start + 100)][:, 1:] * [1, -1, 1, 1, 1, 1, 1, 1, 1, 1]
 
 
 def change(one, other):
@@ -80,7 +80,7 @@ everything = run("by_hand", flow=PRESSED, keywords="shear no", coeffs="friction 
 expect_everything("film off", text, everything, plain)
 deck.expect("  what matters is on in the advice", "cut 0.5 twist no\n" in advice(text), advice(text))
 for effect, cure in (("critical load", "critical F"), ("adhesion", "adhesion F"), ("repulsion", "repulsion F lambda"),
-                     ("drag", "add fix drag/background"), ("pores", "add fix pore/pressure")):
+                     ("drag", "add fix drag/background"), ("pores", "add fix pore/pressure"), ("far field", "add fix hydro mean")):
     deck.expect(f"  {effect} is missing", lacks(text, effect) and cure in lacks(text, effect).group(1))
 deck.expect("  friction is not", not lacks(text, "friction"))
 
@@ -135,6 +135,28 @@ for what, pores in (("pores", "fix pore all pore/pressure pair cell"), ("pores o
     matter = "undrained" not in what    # whose mean pressure the particles do not feel
     deck.expect("  they change something", (abs(changes[0][0]) > 0.5) == matter, f"{changes}")
     deck.expect("  they are in the advice", (f"  {pores}\n" if matter else "  # and no fix pore\n") in advice(text), advice(text))
+
+# the far field: its level mean goes on in the copy, a grid solves anew; without it films are those that do without
+case = {"flow": PRESSED, "drag": "fix far all hydro mean viscosity v_eta isolated 8"}
+text, plain = changes_nothing("mean", **case)
+expect_everything("mean", text, plain)
+parts, changes = row(text, "far field")
+deck.expect_close("mean: part of the power", parts[1], 100 * plain[:, 5].mean() / plain[:, 6].mean(), atol=0.051)
+deck.expect_close("mean: part of the stress", parts[0], 100 * plain[:, 9].mean() / plain[:, 0].mean(), atol=0.051)
+deck.expect_close("mean: changes without it", changes, change(run("without", change="unfix far", **case), plain), atol=0.051)
+deck.expect("  it is in the advice", f"  {case['drag']}\n" in advice(text), advice(text))
+if deck.RANKS == 1:
+    case = {"flow": PRESSED, "drag": "fix far all hydro grid", "range": "residual 0.5"}
+    text, plain = changes_nothing("grid", words="change 1e-9", **case)
+    shown = re.search(r"everything on.*: stress xy (\S+) ", text)
+    deck.expect_close("grid: stress, but for the solutions", float(shown.group(1)), plain[:, 0].mean(), rtol=0.02)
+    deck.expect("  the far field takes part", min(row(text, "far field")[0]) > 1, row(text, "far field"))
+    deck.expect("  residual films are in the advice", "residual 0.5" in advice(text) and "hydro grid" in advice(text), advice(text))
+
+    text = said(flow=STEADY, drag='if "1 == 1" then "fix far all hydro grid" "unfix move" "fix move all overdamped/sphere hydro" "timestep 1e-4"',
+                range="residual 0.5", measure="yes")
+    deck.expect("  and stays where it moves the particles", "far field: cannot be left out where it moves the particles" in text
+                and "squeeze: cannot be left out of residual films" in text and "overdamped/sphere hydro\n" in advice(text), text)
 
 # and where it moves the particles it stays
 massless = {"flow": STEADY, "massless": "yes", "keywords": "twist no"}

@@ -1,0 +1,182 @@
+/*---------------------------------------------------------------------------
+   SUSPENSION: dense non-Brownian suspensions in LAMMPS
+   Package for LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License, version 2.
+   See the LICENSE file in the top-level directory.
+------------------------------------------------------------------------- */
+
+#include "fix_hydro_waves.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+
+#ifdef SUSPENSION_FFTW
+#include "hydro_solve.h"
+#endif
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <numeric>
+
+using namespace LAMMPS_NS;
+using namespace Hydro_NS;
+
+#ifdef SUSPENSION_FFTW
+struct LAMMPS_NS::HydroTransforms {
+  HydroTransforms(const Points &points, int rank, int ranks) : solver(points, rank, ranks) {}
+  StokesSolver solver;
+};
+#else
+struct LAMMPS_NS::HydroTransforms {};
+#endif
+
+/* ---------------------------------------------------------------------- */
+
+HydroWaves::HydroWaves(LAMMPS *lmp) : Pointers(lmp) {}
+
+HydroWaves::~HydroWaves() = default;
+
+/* ----------------------------------------------------------------------
+   Waves are resolved alike in all directions if the points are as close along the edges of the
+   cell. A cell that flips is leaned by half of its width at most: a number of points for that
+   stays the same while it shears.
+------------------------------------------------------------------------- */
+
+void HydroWaves::fit(double spacing)
+{
+  const double *lo = domain->boxlo;
+  grid.cell = {{lo[0], lo[1], lo[2]},
+               domain->xprd,
+               domain->yprd,
+               domain->zprd,
+               domain->xy,
+               domain->xz,
+               domain->yz};
+  const double lean = domain->triclinic ? MAX(fabs(domain->xy), 0.5 * domain->xprd) : 0.0;
+  const double edges[3] = {
+      domain->xprd, std::hypot(domain->yprd, lean),
+      std::sqrt(domain->zprd * domain->zprd + domain->xz * domain->xz + domain->yz * domain->yz)};
+  const Points before = points();
+  grid.nx = good_number(edges[0] / spacing);
+  grid.ny = good_number(edges[1] / spacing);
+  grid.nz = good_number(edges[2] / spacing);
+  if (transforms && points() == before) return;
+#ifdef SUSPENSION_FFTW
+  transforms.reset();    // first, for its memory
+  transforms = std::make_unique<HydroTransforms>(points(), comm->me, comm->nprocs);
+#endif
+}
+
+void HydroWaves::set_response(
+    [[maybe_unused]] const std::function<WaveFactors(const WaveVector &)> &f)
+{
+#ifdef SUSPENSION_FFTW
+  transforms->solver.set_response(grid.cell, f);
+#endif
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool HydroWaves::corners(const std::vector<int> &atoms, Vec3 &low, Vec3 &high) const
+{
+  low = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  high = -1.0 * low;
+  for (const int i : atoms) {
+    const Vec3 g = lattice_place(grid, Lubcontact_NS::get_vector(atom->x[i]));
+    low = {MIN(low.x, g.x), MIN(low.y, g.y), MIN(low.z, g.z)};
+    high = {MAX(high.x, g.x), MAX(high.y, g.y), MAX(high.z, g.z)};
+  }
+  return !atoms.empty();
+}
+
+/* ----------------------------------------------------------------------
+   and how much the ranks exchange
+------------------------------------------------------------------------- */
+
+void HydroWaves::set_brick(const Brick &of_rank)
+{
+  mine = of_rank;
+  const int ranks = comm->nprocs;
+  bricks.resize(ranks);
+  static_assert(sizeof(Brick) == 6 * sizeof(int), "exchanged as integers");
+  MPI_Allgather(&mine, 6, MPI_INT, bricks.data(), 6, MPI_INT, world);
+
+  const Share layers = share(grid.nz, comm->me, ranks);
+  sent.assign(ranks, 0);
+  received.assign(ranks, 0);
+  std::size_t out_size = 0, in_size = 0;
+  for (int r = 0; r < ranks; r++) {
+    const std::size_t there = numbers_in(mine, points(), share(grid.nz, r, ranks));
+    const std::size_t here = numbers_in(bricks[r], points(), layers);
+    out_size += there;
+    in_size += here;
+    sent[r] = static_cast<int>(there);
+    received[r] = static_cast<int>(here);
+  }
+  if (out_size > INT_MAX || in_size > INT_MAX)
+    error->one(FLERR, "Fix hydro: a rank has {} points of the grid, too many: use more ranks",
+               mine.points());
+  sent_from.assign(ranks, 0);
+  received_from.assign(ranks, 0);
+  std::partial_sum(sent.begin(), sent.end() - 1, sent_from.begin() + 1);
+  std::partial_sum(received.begin(), received.end() - 1, received_from.begin() + 1);
+  field.resize(3 * mine.points());
+  out.resize(out_size);
+  in.resize(in_size);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void HydroWaves::solve()
+{
+#ifdef SUSPENSION_FFTW
+  StokesSolver &solver = transforms->solver;
+  const int ranks = comm->nprocs;
+  for (int r = 0; r < ranks; r++)
+    pack_brick(mine, points(), share(grid.nz, r, ranks), field.data(), out.data() + sent_from[r]);
+  MPI_Alltoallv(out.data(), sent.data(), sent_from.data(), MPI_DOUBLE, in.data(), received.data(),
+                received_from.data(), MPI_DOUBLE, world);
+  std::fill_n(solver.field(), 3 * solver.points(), 0.0);
+  for (int r = 0; r < ranks; r++)
+    add_to_layers(bricks[r], points(), solver.layers(), in.data() + received_from[r],
+                  solver.field());
+
+  const auto exchange = [&](const std::vector<int> &to, const std::vector<int> &from) {
+    std::vector<int> starts_to(ranks), starts_from(ranks);
+    std::partial_sum(to.begin(), to.end() - 1, starts_to.begin() + 1);
+    std::partial_sum(from.begin(), from.end() - 1, starts_from.begin() + 1);
+    MPI_Alltoallv(solver.outbox(), to.data(), starts_to.data(), MPI_DOUBLE_COMPLEX, solver.inbox(),
+                  from.data(), starts_from.data(), MPI_DOUBLE_COMPLEX, world);
+  };
+  solver.to_waves();
+  exchange(solver.of_forces(), solver.of_waves());
+  solver.respond();
+  exchange(solver.of_waves(), solver.of_forces());
+  solver.to_velocities();
+
+  for (int r = 0; r < ranks; r++)
+    take_from_layers(bricks[r], points(), solver.layers(), solver.field(),
+                     in.data() + received_from[r]);
+  MPI_Alltoallv(in.data(), received.data(), received_from.data(), MPI_DOUBLE, out.data(),
+                sent.data(), sent_from.data(), MPI_DOUBLE, world);
+  for (int r = 0; r < ranks; r++)
+    unpack_brick(mine, points(), share(grid.nz, r, ranks), out.data() + sent_from[r], field.data());
+#endif
+}
+
+/* ---------------------------------------------------------------------- */
+
+double HydroWaves::memory_usage() const
+{
+  double bytes =
+      static_cast<double>((field.capacity() + out.capacity() + in.capacity()) * sizeof(double));
+#ifdef SUSPENSION_FFTW
+  if (transforms) bytes += transforms->solver.memory_usage();
+#endif
+  return bytes;
+}
