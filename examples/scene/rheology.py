@@ -15,7 +15,7 @@ import steady    # noqa: E402  pylint: disable=wrong-import-position
 # columns of stress.txt (scene/stress.lmp) -> name and color of the part
 PARTS = {"fluid": ("fluid", "0.8"), "v_contact_n": ("contact, normal", "#1f4e79"),
          "v_contact_t": ("contact, tangential", "#6fa8dc"), "v_film_n": ("lubrication, normal", "#b45f06"),
-         "v_film_t": ("lubrication, tangential", "#f6b26b")}
+         "v_film_t": ("lubrication, tangential", "#f6b26b"), "v_stresslet": ("far field", "#38761d")}
 
 # W. Chevremont, B. Chareyre, H. Bodiguel, Phys. Rev. Fluids 4, 064302 (2019), eqs. 13 to 16 of the thesis
 
@@ -57,6 +57,15 @@ def mu_boyer(iv):
 def eta_boyer(phi):
     iv = (PHI_M_BOYER / phi - 1) ** 2
     return mu_boyer(iv) / iv
+
+
+def eta_gallier(phi):
+    """Resolved simulations, friction 0.5, phi <= 0.45: S. Gallier, E. Lemaire, F. Peters, L. Lobry, J. Fluid Mech. 757,
+    514 (2014). As the fit that Chevremont's thesis gives (eqs. A3, A4), with the minus sign that its second term needs: the viscosity
+    of the hydrodynamic part must grow with phi.
+    """
+    iv = (0.64 / phi - 1) ** 2.5
+    return (0.32 + 0.38 / (1 + 0.005 / iv)) / iv + (1 - phi / 0.68) ** (-2.4 * 0.68)
 
 
 def phi_to_start(iv, chi_f):
@@ -111,7 +120,7 @@ def steady_from(x, *signals):
 
 def stack_parts(ax, x, data, sign=1.0):
     """Parts of the shear stress (times sign) against x, stacked on that of the fluid."""
-    parts = {name: data[name] for name in PARTS if name != "fluid"}
+    parts = {name: data[name] for name in PARTS if name in data and np.any(data[name])}
     parts = {"fluid": data["v_sxy"] - sum(parts.values()) - data["v_inertia"], **parts}
     bottom = np.zeros_like(x)
     for name, part in parts.items():

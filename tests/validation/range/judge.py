@@ -21,20 +21,10 @@ SWOLLEN = 1.005**3    # volume of a sphere up to half the height 0.01 of the asp
 COLOR = {"cut": "#1f4e79", "shifted": "#b45f06", "voronoi": "#38761d"}
 
 
-def eta_gallier(phi):
-    """Resolved simulations of Gallier et al. 2014, friction 0.5, phi <= 0.45.
-
-    As the fit that Chevremont's thesis gives (eqs. A3, A4), with the minus sign that its second term needs: the viscosity
-    of the hydrodynamic part must grow with phi.
-    """
-    iv = (0.64 / phi - 1) ** 2.5
-    return (0.32 + 0.38 / (1 + 0.005 / iv)) / iv + (1 - phi / 0.68) ** (-2.4 * 0.68)
-
-
 def references(phi):
     found = {"Chevremont 2019": rheology.eta_chevremont(phi), "Boyer 2011": rheology.eta_boyer(phi)}
     if phi <= 0.45:
-        found["Gallier 2014, fit"] = eta_gallier(phi)
+        found["Gallier 2014, fit"] = rheology.eta_gallier(phi)
     return found
 
 

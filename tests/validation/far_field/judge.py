@@ -1,0 +1,115 @@
+"""Writes results.csv from runs.csv: means over seeds; prints the tables of README.md and draws results.png.
+
+usage: tools/python.sh judge.py
+"""
+import csv
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[2] / "examples" / "scene"))
+import cases    # noqa: E402  pylint: disable=wrong-import-position
+import rheology    # noqa: E402  pylint: disable=wrong-import-position
+
+FIELDS = ["level", "range", "phi", "friction", "eta_r", "error"]
+LEVELS = [("none", "0.5"), ("mean", "0.5"), ("grid", "0.5"), ("grid", "1"), ("grid", "2")]
+LABEL = {("none", "0.5"): "films alone, to 0.5", ("mean", "0.5"): "mean, films to 0.5", ("grid", "0.5"): "grid, residual films to 0.5",
+         ("grid", "1"): "grid, to 1", ("grid", "2"): "grid, to 2"}
+STYLE = {("none", "0.5"): "ks--", ("mean", "0.5"): "v--", ("grid", "0.5"): "o-", ("grid", "1"): "D-", ("grid", "2"): "^-"}
+ROUGHNESS = 0.01
+PARTS = ["contact_n", "contact_t", "film_n", "film_t", "stresslet", "syy", "cpu"]
+
+
+def merged(rows):
+    """(level, range, friction) -> phi -> mean, error and parts over the seeds."""
+    found = {}
+    for row in rows:
+        if float(row["roughness"]) != ROUGHNESS:
+            continue
+        found.setdefault((row["level"], row["range"], row["friction"]), {}).setdefault(float(row["phi"]), []).append(row)
+    for of_phi in found.values():
+        for phi, seeds in of_phi.items():
+            values, errors = (np.array(column) for column in cases.columns(seeds, "eta_r", "error"))
+            known = errors[np.isfinite(errors)]
+            error = np.sqrt(np.mean(known**2) / len(values)) if len(known) else np.nan
+            if len(values) > 1:
+                error = np.nanmax([error, np.std(values, ddof=1) / np.sqrt(len(values))])
+            parts = {name: np.mean(cases.columns(seeds, name)) for name in PARTS}
+            of_phi[phi] = {"eta_r": values.mean(), "error": error, "seeds": len(values), **parts}
+    return found
+
+
+def laws(phi, friction):
+    known = {"Chevremont": rheology.eta_chevremont(phi, friction)} if friction else {}
+    if friction == 0.5:
+        known["Boyer"] = rheology.eta_boyer(phi)
+        if phi <= 0.45:
+            known["Gallier"] = rheology.eta_gallier(phi)
+    return known
+
+
+def tables(found):
+    for friction in sorted({key[2] for key in found}, reverse=True):
+        chosen = [key for key in LEVELS if (*key, friction) in found]
+        print(f"\nfriction {friction}\n| phi | " + " | ".join(LABEL[key] for key in chosen) + " | laws |")
+        for phi in sorted({phi for key in chosen for phi in found[(*key, friction)]}):
+            words = [pm(found[(*key, friction)].get(phi)) for key in chosen]
+            print(f"| {phi:g} | " + " | ".join(words) + " | "
+                  + ", ".join(f"{name} {value:.2f}" for name, value in laws(phi, float(friction)).items()) + " |")
+        print("| phi | level | contacts | films | stresslets | -sigma_yy | CPU s per strain |")
+        for phi in sorted({phi for key in chosen for phi in found[(*key, friction)]}):
+            for key in chosen:
+                if phi in found[(*key, friction)]:
+                    f = found[(*key, friction)][phi]
+                    print(f"| {phi:g} | {' '.join(key)} | {f['contact_n'] + f['contact_t']:.3f} | {f['film_n'] + f['film_t']:.3f} | "
+                          f"{f['stresslet']:.3f} | {-f['syy']:.3f} | {f['cpu']:.1f} |")
+
+
+def pm(found):
+    return f"{found['eta_r']:.2f} +- {found['error']:.2f}" if found else ""
+
+
+def draw(found):
+    frictions = sorted({key[2] for key in found}, reverse=True)
+    fig, axes = plt.subplots(1, len(frictions), figsize=(5.6 * len(frictions), 4.6), squeeze=False)
+    for ax, friction in zip(axes[0], frictions):
+        phi = np.linspace(0.03, 0.56, 200)
+        if float(friction):
+            ax.plot(phi, rheology.eta_chevremont(phi, float(friction)), color="0.5", lw=1, label="Chevremont 2019")
+        if float(friction) == 0.5:
+            ax.plot(phi, rheology.eta_boyer(phi), color="0.5", lw=1, ls=":", label="Boyer 2011")
+            ax.plot(phi[phi <= 0.45], rheology.eta_gallier(phi[phi <= 0.45]), color="0.5", lw=1, ls="-.", label="Gallier 2014")
+        ax.plot(phi[phi < 0.2], 1 + 2.5 * phi[phi < 0.2], color="0.7", lw=3, label="Einstein", zorder=0)
+        for key in LEVELS:
+            of_phi = found.get((*key, friction))
+            if of_phi:
+                x = np.array(sorted(of_phi))
+                ax.errorbar(x, [of_phi[p]["eta_r"] for p in x], np.nan_to_num([of_phi[p]["error"] for p in x]), fmt=STYLE[key], ms=4, lw=0.8,
+                            label=LABEL[key])
+        ax.set(yscale="log", xlabel=r"$\phi$", ylabel=r"$\eta_r$", title=f"friction {friction}")
+    axes[0][0].legend(frameon=False, fontsize=7)
+    fig.tight_layout()
+    fig.savefig(HERE / "results.png", dpi=150)
+
+
+def main():
+    found = merged(cases.read(HERE / "runs.csv"))
+    with open(HERE / "results.csv", "w", newline="", encoding="ascii") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(FIELDS)
+        for level, reach in LEVELS:
+            for friction in sorted({key[2] for key in found}):
+                for phi, f in sorted(found.get((level, reach, friction), {}).items()):
+                    writer.writerow([level, reach, f"{phi:g}", friction, f"{f['eta_r']:.4g}", f"{f['error']:.2g}"])
+    tables(found)
+    draw(found)
+
+
+if __name__ == "__main__":
+    main()
