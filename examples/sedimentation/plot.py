@@ -143,11 +143,12 @@ def main():
     args = parser.parse_args()
     rows = list(csv.DictReader(args.table.open(encoding="ascii")))
     fig = plt.figure(figsize=(12, 7.5))
-    grid = fig.add_gridspec(2, 4, height_ratios=(1, 1.15), hspace=0.2, wspace=0.3)
+    above, below = fig.add_gridspec(2, 1, height_ratios=(1, 1.15), hspace=0.2)
     if not args.no_cloud:
-        draw_cloud([fig.add_subplot(grid[0, n]) for n in range(4)])
-    draw_suspensions(fig.add_subplot(grid[1, :2]), rows, args.spheres)
-    draw_sizes(fig.add_subplot(grid[1, 2:]), rows)
+        draw_cloud(above.subgridspec(1, 4).subplots())
+    axes = below.subgridspec(1, 2, wspace=0.25).subplots()
+    draw_suspensions(axes[0], rows, args.spheres)
+    draw_sizes(axes[1], rows)
     fig.savefig("figure.png", dpi=120, bbox_inches="tight")
     print("wrote figure.png")
 

@@ -43,7 +43,7 @@ def main():
     parser.add_argument("--phi", type=float, nargs="*", default=[0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.45, 0.5])
     parser.add_argument("--spheres", type=int, default=200)
     parser.add_argument("--sizes", type=int, nargs="*", default=[25, 50, 100, 400, 800])
-    parser.add_argument("--seeds", type=int, default=4)
+    parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--until", type=float, default=20)
     parser.add_argument("--jobs", type=int, default=2)
     args = parser.parse_args()
