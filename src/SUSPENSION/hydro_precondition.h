@@ -10,8 +10,8 @@
 // An approximate inverse of the mobility, for conjugate gradients. The mobility D of spheres alone
 // misses two things, in units of D:
 // - Forces across a wave vector k move all the fluid with them: 1 + X, X = sum 6 pi a/(V k^2),
-//   which grows with the cell. The inverse is the screening of H.C. Brinkman, Appl. Sci. Res. A 1, 27
-//   (1947).
+//   which grows with the cell. The inverse is the screening of H.C. Brinkman, Appl. Sci. Res. A 1,
+//   27 (1947).
 // - Forces along k push the spheres through the back flow of the others: s(k) < 1.
 // With B that spreads loads to a grid, and the parts T and L of its waves across and along k,
 //   P^-1 = D^-1 + D^-1 B (w_T T + w_L L) B^T D^-1,

@@ -1,4 +1,4 @@
-# ranks: 1 4
+# ranks: 1 2
 """Far field and residual films of random dispersions in one moment, against linear algebra that knows nothing of the package."""
 import numpy as np
 
@@ -7,7 +7,7 @@ from oracle import free_spheres, residual_film
 from oracle.spheres import equilibrium, write_spheres
 
 RATE, DENSITY = 1e-5, 0.08
-GRID = "1 1 1" if deck.RANKS == 1 else "2 2 1"
+GRID = "1 1 1" if deck.RANKS == 1 else "1 2 1"
 
 
 def free_pair():
@@ -30,7 +30,7 @@ def viscosity(number, phi, seed, ranges):
     known = [float(eta[0, 0]) for eta in free_spheres.Dispersion(cell, x, ranges, 1e-9).viscosities()]
     for reach, eta in zip(ranges, known):
         t = deck.run("in.moment", range=f"residual {reach}", rate=RATE, grid=GRID).thermo()
-        deck.expect_close(f"{number} spheres at {phi}, films to {reach}: viscosity", t["v_shear"][-1], eta, rtol=7e-4)
+        deck.expect_close(f"{number} spheres at {phi}, films to {reach}: viscosity", t["v_shear"][-1], eta, rtol=2.5e-4)
         deck.expect("no contacts", np.all(t["v_contacts"] == 0))
 
 
@@ -44,15 +44,15 @@ def settling(number, phi, seed, reach):
     found = np.array([d[name] for name in ("vx", "vy", "vz", "omegax", "omegay", "omegaz")]).T / RATE
     one = free_spheres.Dispersion(cell, x, [reach], 1e-9)
     known = (one.mobilities()[0][:, :, :, 1].sum(axis=2) * weight / RATE)
-    deck.expect_close(f"{number} spheres at {phi} settle: mean", found[:, 1].mean(), known[:, 1].mean(), rtol=7e-4)
-    deck.expect_close(f"{number} spheres at {phi} settle: velocities, spins", found, known, atol=2e-3)
+    deck.expect_close(f"{number} spheres at {phi} settle: mean", found[:, 1].mean(), known[:, 1].mean(), rtol=4e-4)
+    deck.expect_close(f"{number} spheres at {phi} settle: velocities, spins", found, known, atol=4e-4)
     deck.expect_close("the fluid carries them", t["f_far[11]"][-1], -number * weight, rtol=1e-4)
 
 
 if __name__ == "__main__":
     viscosity(40, 0.45, 3, [0.5])
-    settling(27, 0.2, 5, 1)
     if deck.RANKS == 1:
+        settling(27, 0.2, 5, 1)
         free_pair()
         viscosity(27, 0.2, 4, [1])
     deck.finish()
