@@ -39,6 +39,7 @@ void BackgroundFluid::init()
     find_viscosity();
     eta.check(lmp, style.c_str(), "viscosity");
     rule->init();
+    others.check(lmp, style.c_str(), "others");
     flow->init();
     if (isolated) check_isolated();
   }
@@ -85,7 +86,8 @@ void BackgroundFluid::setup()
 
 bool BackgroundFluid::has_variables() const
 {
-  return !eta.is_number() || !rule->number().is_number() || flow->has_variables();
+  return !eta.is_number() || !rule->number().is_number() || !others.is_number() ||
+      flow->has_variables();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -115,6 +117,7 @@ std::string BackgroundFluid::value_of(const std::string &variable) const
   std::vector<Suspension_NS::InputNumber> numbers = flow->numbers();
   numbers.push_back(eta);
   numbers.push_back(rule->number());
+  numbers.push_back(others);
   const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto &number) {
     return number.variable == variable;
   });
@@ -141,6 +144,10 @@ void BackgroundFluid::evaluate()
                needs_viscosity ? ">" : ">=", viscosity, update->ntimestep);
   flow->new_step();
   rule->new_step();
+  others.evaluate(lmp);
+  if (!(others.value >= 0.0))
+    error->all(FLERR, "Fix {} others must be >= 0, but is {} at step {}", style, others.value,
+               update->ntimestep);
   if (variables) modify->addstep_compute(update->ntimestep + 1);
 }
 
@@ -184,8 +191,10 @@ void BackgroundFluid::count_partners()
 
 Fluid_NS::Drag BackgroundFluid::drag(int i) const
 {
-  if (isolated && partners[i] >= isolated) return {};
-  return Fluid_NS::drag(body, rule->factor() * viscosity, atom->radius[i]);
+  const double full = rule->factor() * viscosity;
+  if (is_isolated(i)) return Fluid_NS::drag(body, full, atom->radius[i]);
+  if (others.value == 0.0) return {};
+  return Fluid_NS::drag(body, others.value * full, atom->radius[i]);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -46,6 +46,7 @@ class BackgroundFluid : protected Pointers {
 
   Fluid_NS::Flow flow_at(int i) const { return flow->at(i); }
   Fluid_NS::Drag drag(int i) const;
+  bool is_isolated(int i) const { return !isolated || partners[i] < isolated; }
   double viscosity_now() const { return viscosity; }
   bool is_elsewhere() const { return elsewhere; }
   bool only_isolated() const { return isolated > 0; }
@@ -73,16 +74,19 @@ class BackgroundFluid : protected Pointers {
   std::unique_ptr<BackgroundFlow> flow;
   std::unique_ptr<BackgroundHindrance> rule;
   Fluid_NS::Shape body;
-  int isolated;      // particles with fewer partners only, 0: all
+  int isolated;      // particles with fewer partners feel the full drag, 0: all
   bool evaluated;    // variables have values
 
   // of this step
   double viscosity;
   std::vector<double> partners;
 
+  Suspension_NS::InputNumber others;    // factor of the drag on those that are not isolated
+
   void parse(int, char **);
   void parse_shape(int, char **);
   void parse_isolated(int, char **, int &);
+  void parse_others(int, char **);
   void exclude_plates();
   const double *find_viscosity() const;
   void check_isolated() const;

@@ -28,7 +28,8 @@ static std::map<std::string, std::string> keywords()
   std::map<std::string, std::string> all = {{"spin", "wx wy wz"},
                                             {"shape", "sphere|disc"},
                                             {"hindrance", "none|mean|phi|factor"},
-                                            {"isolated", ""}};
+                                            {"isolated", ""},
+                                            {"others", "factor"}};
   for (const auto &flow : BackgroundFlow::styles()) all[flow.keyword] = flow.usage;
   return all;
 }
@@ -87,6 +88,7 @@ void BackgroundFluid::parse(int narg, char **arg)
       found = key;
     }
     if (key == "shape") parse_shape(iarg + 1, arg);
+    if (key == "others") parse_others(iarg + 1, arg);
     iarg++;
     if (key == "hindrance")
       rule = BackgroundHindrance::make(lmp, fix, narg, arg, iarg);
@@ -95,6 +97,11 @@ void BackgroundFluid::parse(int narg, char **arg)
     else
       iarg += static_cast<int>(utils::count_words(usage->second));
   }
+  if (places.count("others") && !places.count("isolated"))
+    error->all(FLERR, places["others"],
+               "Fix {} others cannot act without isolated; for a weaker drag on all particles use "
+               "hindrance",
+               style);
   const auto spin = places.find("spin");
   if (spin == places.end()) return;
   if (!flow || !flow->take_spin(arg + spin->second + 1))
@@ -123,4 +130,13 @@ void BackgroundFluid::parse_isolated(int narg, char **arg, int &iarg)
   if (isolated < 1)
     error->all(FLERR, iarg, "Fix {} isolated must be > 0, but is {}", style, arg[iarg]);
   iarg++;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void BackgroundFluid::parse_others(int iarg, char **arg)
+{
+  others = Suspension_NS::InputNumber(lmp, arg[iarg]);
+  if (others.is_number() && !(others.value >= 0.0))
+    error->all(FLERR, iarg, "Fix {} others must be >= 0, but is {}", style, arg[iarg]);
 }

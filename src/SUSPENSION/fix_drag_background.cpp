@@ -44,11 +44,13 @@ struct Saved {
 ------------------------------------------------------------------------- */
 
 FixDragBackground::FixDragBackground(LAMMPS *lmp, int narg, char **arg) :
-    FixBackgroundFluid(lmp, narg, arg), inertia(new SpinInertia()), power(0.0), energy(0.0)
+    FixBackgroundFluid(lmp, narg, arg), inertia(new SpinInertia()), power(0.0), energy(0.0),
+    others()
 {
   scalar_flag = 1;
   extscalar = 1;
   ecouple_flag = 1;
+  size_vector = NUM_ALL;
 }
 
 FixDragBackground::~FixDragBackground() = default;
@@ -132,6 +134,7 @@ void FixDragBackground::drag_all(bool full)
 {
   const double dt = update->dt * force->ftm2v;
   std::fill_n(sums, NUM_SUMS, 0.0);
+  std::fill_n(others, NUM_ALL - OTHERS, 0.0);
   power = 0.0;
   // damps what acts on v; returns the mean drag, and adds what it takes from the particle
   auto damp = [&](double coefficient, double mass, const Vec3 &v, const Vec3 &fluid_v, double *f) {
@@ -149,16 +152,30 @@ void FixDragBackground::drag_all(bool full)
     const Fluid_NS::Drag drag = fluid->drag(i);
     if (drag.translation == 0.0) continue;
     const Fluid_NS::Flow flow = fluid->flow_at(i);
-    Lubcontact_NS::add_vector(damp(drag.translation, atom->rmass[i],
-                                   Lubcontact_NS::get_vector(atom->v[i]), flow.velocity,
-                                   atom->f[i]),
-                              &sums[FORCE]);
+    const Vec3 pull = damp(drag.translation, atom->rmass[i], Lubcontact_NS::get_vector(atom->v[i]),
+                           flow.velocity, atom->f[i]);
+    Lubcontact_NS::add_vector(pull, &sums[FORCE]);
     Lubcontact_NS::add_vector(damp(drag.rotation, inertia->of(atom, i),
                                    Lubcontact_NS::get_vector(atom->omega[i]), flow.spin,
                                    atom->torque[i]),
                               &sums[TORQUE]);
     sums[NUMBER] += 1.0;
+    if (fluid->is_isolated(i)) continue;
+    Lubcontact_NS::add_vector(pull, others);
+    others[NUM_OTHERS - OTHERS] += 1.0;
   }
+}
+
+/* ----------------------------------------------------------------------
+   the columns of all fixes with a background fluid, then force on and number of the others
+------------------------------------------------------------------------- */
+
+double FixDragBackground::compute_vector(int n)
+{
+  if (n < OTHERS) return FixBackgroundFluid::compute_vector(n);
+  double all;
+  MPI_Allreduce(&others[n - OTHERS], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
 }
 
 /* ----------------------------------------------------------------------

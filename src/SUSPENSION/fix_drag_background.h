@@ -29,6 +29,7 @@ class FixDragBackground : public FixBackgroundFluid {
   void setup(int) override;
   void post_force(int) override;
   double compute_scalar() override;
+  double compute_vector(int) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
 
@@ -36,6 +37,12 @@ class FixDragBackground : public FixBackgroundFluid {
   std::unique_ptr<class SpinInertia> inertia;
   double power;     // from the particles to the fluid, of this rank
   double energy;    // and its integral
+
+  // further columns: what the drag does to particles that are not isolated
+  // clang-format off
+  enum { OTHERS = NUM_COLUMNS, NUM_OTHERS = OTHERS + 3, NUM_ALL };
+  // clang-format on
+  double others[NUM_ALL - OTHERS];    // of this rank
 
   void check_order();
   void drag_all(bool);

@@ -152,8 +152,8 @@ struct SqueezeFlow {
 };
 struct NoFlow {};    // any other range
 
-// RESIDUAL: the same of the film nu squeeze(u_a), and what the flow adds to un_a. Both are frozen at
-// the gap expected at mid-step, which sees those of the old one.
+// RESIDUAL: the same of the film nu squeeze(u_a), and what the flow adds to un_a. Both are frozen
+// at the gap expected at mid-step, which sees those of the old one.
 struct ResidualStep {
   double steps, push_a;
 };

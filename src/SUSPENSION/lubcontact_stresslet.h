@@ -7,7 +7,7 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-// RESIDUAL: what the films of a pair do in a flow beside the forces between its spheres: a stresslet
+// RESIDUAL: what the films of a pair do in a flow beside the forces between its spheres: stresslet
 // and its heat. From the form Phi of lubcontact_residual.h: the stresslet is dPhi/dE, and where the
 // rates are eliminated in favor of the forces it has no singular term. With F the force of the
 // squeeze film, f of the shear film, h = T x n of the rolling torque T, all on i,

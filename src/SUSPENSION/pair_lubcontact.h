@@ -80,7 +80,7 @@ class PairLubcontact : public Pair {
                                      const Lubcontact_NS::Load &)>;
   void visit_pairs(const Visitor &) const;
 
-  // of each particle, ghosts included: how many others are in range, once the forces of the step are
+  // of each particle, ghosts included: how many others are in range, once the forces of a step are
   // known; stiffness of their contacts as lubcontact_stiffness.h has it, spin saying how easily
   // particles turn
   void count_partners(std::vector<double> &);

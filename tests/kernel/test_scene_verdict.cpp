@@ -276,8 +276,8 @@ TEST(SceneVerdict, SaysHowMuchFarHydrodynamicsIsMissing)
 
   Scene s = paste();
   s.phi = 0.35;
-  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("viscosity about 30 % low with films alone: phi = 0.35"),
-            std::string::npos);
+  const std::string why = verdict(s, FAR_HYDRODYNAMICS).why;
+  EXPECT_NE(why.find("viscosity about 30 % low with films alone: phi = 0.35"), std::string::npos);
   s.phi = 0.25;
   EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("more than 40 % low"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-// Shows what the stresslet of residual films is at given forces; test_pair_residual.cpp has it along
+// Shows the stresslet of residual films at given forces; test_pair_residual.cpp has it along
 // the way of a pair.
 
 #include "lubcontact_stresslet.h"
@@ -29,7 +29,7 @@ TEST(Stresslet, IsThatOfTheFormAtTheRatesOfItsForces)
   const PairStrain flow = pair_strain(STRAIN, g.n);
   const double delta = size_difference(g);
   const ResidualPlace p = residual_place(0.4, std::log(0.4), delta);
-  // at the force F = 0 of each film the rates are part e, slide e_t, turn e_t: dPhi/dw = 0 and so on
+  // at the force F = 0 of each film the rates are part e, slide e_t, turn e_t: dPhi/dw = 0, ...
   const FlowResponse r = flow_response(f, g, 0.4, std::log(0.4), false);
   const double A = squeeze_coeff(ETA) * a / 0.4 * residual<RESIDUAL_SQUEEZE>(p);
   const double push = ETA * a * a * residual<RESIDUAL_PUSH>(p);

@@ -1,12 +1,12 @@
 # ranks: 1 4
 """fix drag/background against closed forms: relaxation and terminal velocity over nine decades of St, power and energy,
-order, flows, hindrance, isolated particles, restart.
+order, flows, hindrance, isolated particles and the others, restart.
 """
 from pathlib import Path
 
 import numpy as np
 
-from deck import RANKS, expect, expect_close, finish, read_dump, run
+from deck import RANKS, expect, expect_close, expect_same_bits, finish, read_dump, run
 
 START, SPIN, PUSH = np.array([0.3, -0.7, 0.2]), np.array([0.4, 0.1, -0.5]), np.array([0.02, -0.05, 0.03])
 FLUID, TURN = np.array([0.1, 0.2, -0.3]), np.array([-0.2, 0.3, 0.6])
@@ -172,9 +172,49 @@ def isolated():
         expect_close("  number", done.thermo()["f_drag[8]"][-1], np.sum(partners < n))
 
 
+def others():
+    """Isolated particles relax with the full drag, the others with a part of it; the momentum is all accounted for."""
+    push, fluid, start, turn = 1e-4, 2e-3, -1e-3, 3e-3
+    crowded = np.array([0, 0, 0, 0, 0, 1, 1, 1, 1, 0], dtype=bool)
+    flow = dict(flow=f"velocity {fluid} 0 0 spin 0 0 {turn}", start=start)
+    share = {"3 others 0.25": 0.25, "3 others v_weak": 0.25, "3 others 0.05 hindrance 0.5": 0.05, "3 others 3": 3.0}
+    for word, factor in share.items():
+        newton = "on" if factor < 1 else "off"
+        thermo = run("in.clusters", few=word, newton=newton, density=4.0, **flow).thermo()
+        now = read_dump("now.txt")
+        f = np.where(crowded, factor, 1.0) * (0.5 if "hindrance" in word else 1.0)
+        c, c_spin, inertia = 6 * np.pi * f * now["radius"], 8 * np.pi * f * now["radius"]**3, 0.4 * now["mass"] * now["radius"]**2
+        end = fluid + push / c
+        expect_close(f"isolated {word}: velocity", now["vx"], end + (start - end) * np.exp(-c / now["mass"]), rtol=1e-9)
+        expect_close("  spin", now["omegaz"], turn * (1 - np.exp(-c_spin / inertia)), rtol=1e-9)
+        expect_close("  numbers", [thermo["f_drag[8]"], thermo["f_drag[14]"]], [[10] * 11, [4] * 11])
+        for of, force, count in (("v_px", "f_drag[2]", 10), ("v_crowd", "f_drag[11]", 4)):
+            impulse = STEP * (0.5 * (thermo[force][1:] + thermo[force][:-1]) + count * push)
+            expect_close(f"  momentum of {count}", np.diff(thermo[of]), impulse, atol=1e-13)
+    # at the terminal velocity: push^2/c each
+    thermo = run("in.clusters", few="3 others 0.25").thermo()
+    expect_close("dissipated power", thermo["f_drag[1]"][-1], push**2 / (6 * np.pi) * (6 + 4 / 0.25), rtol=1e-9)
+    expect_close("sums", [thermo["f_drag[2]"][-1], thermo["f_drag[11]"][-1]], [-10 * push, -4 * push], rtol=1e-9)
+    # none on the others: the bits of isolated alone
+    ends = []
+    for word in "3", "3 others 0":
+        thermo = run("in.clusters", few=word, density=4.0, **flow).thermo()
+        expect_close("no others", [thermo["f_drag[11]"][-1], thermo["f_drag[14]"][-1]], [0, 0])
+        ends.append(read_dump("now.txt"))
+    expect_same_bits("others 0 is isolated alone", ends[1], ends[0])
+
+    whole = dict(few="3 others v_weak", density=4.0, **flow)
+    run("in.clusters", **whole)
+    at_once = read_dump("now.txt")
+    run("in.clusters", part="first", **whole)
+    run("in.clusters", part="second", **whole)
+    expect_close("restart: velocity", read_dump("now.txt")["vx"], at_once["vx"], rtol=1e-12)
+
+
 relaxation(3, False, 20, "on")
 relaxation(2, True, 20, "off")
 isolated()
+others()
 restart()
 if RANKS == 1:
     relaxation(3, False, 1, "on")
