@@ -27,10 +27,12 @@ def viscosity(number, phi, seed, ranges):
     cell, x = dispersion(number, phi, seed)
     v, w = np.outer(x[:, 1], [RATE, 0, 0]), np.outer(np.ones(number), [0, 0, -RATE / 2])
     write_spheres("spheres.data", cell, x, np.ones(number), v, w, DENSITY, triclinic=True)
-    known = [float(eta[0, 0]) for eta in free_spheres.Dispersion(cell, x, ranges, 1e-9).viscosities()]
-    for reach, eta in zip(ranges, known):
+    one = free_spheres.Dispersion(cell, x, [0, *ranges], 1e-9)
+    for reach, eta, film in zip(ranges, one.viscosities()[1:], one.films()[1:]):
         t = deck.run("in.moment", range=f"residual {reach}", rate=RATE, grid=GRID).thermo()
-        deck.expect_close(f"{number} spheres at {phi}, films to {reach}: viscosity", t["v_shear"][-1], eta, rtol=2.5e-4)
+        name = f"{number} spheres at {phi}, films to {reach}"
+        deck.expect_close(f"{name}: viscosity", t["v_shear"][-1], eta[0, 0], rtol=2.5e-4)
+        deck.expect_close(f"{name}: what the films carry", t["v_films"][-1], film[0, 0], rtol=1e-3)
         deck.expect("no contacts", np.all(t["v_contacts"] == 0))
 
 

@@ -64,6 +64,14 @@ class Dispersion:
         k = 6 * self.n
         return [np.eye(5) + (f[k:, k:] - f[k:, :k] @ np.linalg.solve(f[:k, :k], f[:k, k:])) / (2 * self.volume) for f in self.forms]
 
+    def films(self):
+        """What is of the films in each of these matrices; forms must begin with one without films."""
+        found, k = [], 6 * self.n
+        for f in self.forms:
+            motion = np.vstack([-np.linalg.solve(f[:k, :k], f[:k, k:]), np.eye(5)])
+            found.append(((f - self.forms[0]) @ motion)[k:] / (2 * self.volume))
+        return found
+
     def mobilities(self):
         """Velocities and spins for forces and torques, n by 6 by n by 6, for each reach."""
         k = 6 * self.n

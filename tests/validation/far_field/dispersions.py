@@ -51,7 +51,7 @@ def by_the_package(cell, x, reach):
         subprocess.run([str(ROOT / "tools" / "lmp.sh"), "-in", str(deck), "-log", "log", "-screen", "none", "-var", "range",
                         f"residual {reach}", "-var", "rate", str(RATE)], cwd=folder, check=True)
         rows = [line.split() for line in (Path(folder) / "log").read_text(encoding="ascii").splitlines()]
-        return float([row for row in rows if len(row) == 5 and row[0] == "200"][-1][1])
+        return float([row for row in rows if len(row) == 6 and row[0] == "200"][-1][1])
 
 
 def main():
