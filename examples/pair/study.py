@@ -139,8 +139,9 @@ def films():
 
 def residual():
     """Films of range residual with the far field of fix hydro grid, in a cell of 24 a: from x = -3 a to 3 a."""
-    for offset, steps in ((1.0, 12000), (1.5, 8000), (0.5, 24000)):
-        exact, least = exact_pair.path((-FAR, offset), FAR, fine=True)
+    for offset, steps in ((0.1, 40000), (0.2, 40000), (0.35, 30000), (0.5, 24000), (0.75, 18000), (1.0, 12000), (1.5, 8000)):
+        exact, _ = exact_pair.path((-FAR, offset), FAR, fine=True)
+        least = exact_pair.encounter(-FAR, offset, FAR)[0]
         start = np.interp(-3.0, exact[0], exact[1])
         table = pair.lammps(pair.ROOT / "tests" / "decks" / "residual" / "in.pair", pair.HERE, y=start, steps=steps).thermo()
         gaps = table["c_gap"][table["c_gap"] > 0]
