@@ -32,7 +32,7 @@ OUT_RANGES, FILM_RANGES = ("cut 0.25", "cut 0.5", "cut 4"), ("cut 0.5", "cut 4")
 STARTS = ((0.2, 0.0), (0.5, 0.0), (0.35, 0.35))
 ROUGH = (1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1)
 SOFT = (1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2)
-TWO_PI = {"2 pi": (0.01, 0.05, 0.2, 0.5, 1.0), "right": (0.2, 0.5, 1.0)}    # offsets
+TWO_PI = {"2 pi": (0.01, 0.05, 0.2, 0.5, 1.0), "right": (0.01, 0.2, 0.5, 1.0)}    # offsets
 # the map: one run for each Ca, all roughnesses; SciPy at some of the points
 MAP_CA, MAP_EPS, MAP_OFFSET, MAP_STOKES = np.logspace(-5, -1, 9), (0.0, 1e-3, 3e-3, 6e-3, 0.01, 0.02, 0.05, 0.1), 0.01, 3e-4
 MAP_SCIPY = [(MAP_CA[n], eps) for n, eps in ((0, 0.0), (0, 0.1), (2, 0.01), (4, 0.0), (4, 0.02), (6, 0.05), (8, 0.0), (8, 0.1))]
