@@ -165,7 +165,6 @@ template <class E>
 [[LUBCONTACT_EACH_PROCESSOR gnu::flatten, gnu::noinline]] static void
 stresslets_together(Batch &batch, const Film film)
 {
-  LUBCONTACT_INDEPENDENT_LANES
   for (int l = 0; l < Batch::WIDTH; l++) stresslet_lane<E>(batch, l, film);
 }
 

@@ -81,7 +81,7 @@ def edit(folder):
 
 def main():
     assert len(PLACES) <= 6
-    work = Path.cwd() / "places"
+    work = TOP / "build" / "places"
     shutil.rmtree(work / "src", ignore_errors=True)
     for name in "src", "cmake", "potentials":
         shutil.copytree(TOP / name, work / name, dirs_exist_ok=True)
