@@ -1,0 +1,79 @@
+"""Error of fix hydro grid, one knob at a time: the loads of one moment, and the viscosity of a sheared suspension.
+
+usage: tools/python.sh hydro.py [PART ...] [--jobs 1]      parts: moment, flow, draw, by default all
+Runs in.hydro and examples/dilute_to_dense, appends to hydro.csv what it lacks; draw: hydro.png. See README.md.
+"""
+import argparse
+import resource
+import sys
+from pathlib import Path
+
+import pore
+
+HERE = Path(__file__).resolve().parent
+EXAMPLES = HERE.parents[1] / "examples"
+sys.path.insert(0, str(EXAMPLES / "dilute_to_dense"))
+import study    # noqa: E402  pylint: disable=wrong-import-position
+from study import cases, rheology    # noqa: E402  pylint: disable=wrong-import-position
+
+TABLE = HERE / "hydro.csv"
+CASE = ["part", "knob", "value", "phi", "seed"]
+# moment: error of the power and of the stress of the stresslets against the finest settings; flow: relative viscosity and its error
+FIELDS = CASE + ["first", "second", "iterations", "cpu"]
+FINEST = "spacing 0.5 support 7 reach 9 tol 1e-9"
+MOMENT = {"tol": [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4], "spacing": [1.2, 1.0, 0.82, 0.69, 0.5], "support": [3, 3.5, 4, 4.5, 5, 6],
+          "reach": [3, 4, 5, 6, 7], "width": [0.8, 0.9, 1, 1.1, 1.25]}
+FLOW = {"base": [""], "strain": [0.0025, 0.005, 0.02, 0.04], "tol": [0.001, 0.03, 0.1], "hold": ["8 2", "30 2", "15.4 1", "15.4 15"],
+        "stokes": [0.0125, 0.2], "N": [200, 1000]}
+PARTICLES, STRAIN = 500, 6
+
+
+
+
+def moment(far, phi, seed):
+    """Power of the fluid, stress of the stresslets, iterations from nothing."""
+    text = pore.lammps(HERE, HERE / "in.hydro", far=far, phi=phi, seed=seed, scene=EXAMPLES / "scene",
+                       packing=EXAMPLES / "packing" / "packing.lmp")
+    t = pore.thermo(text)
+    return t["f_far[9]"][0], t["f_far[6]"][0], t["f_far[1]"][0]
+
+
+def of_moment(case):
+    """Errors of the power and of the stress: those of the knob alone, the default of all others solved to rounding."""
+    far = f"{case['knob']} {case['value']}" + (" tol 1e-9" if case["knob"] != "tol" else "")
+    power, stress, iterations = moment(far, case["phi"], case["seed"])
+    best = moment(FINEST if case["knob"] != "tol" else "tol 1e-9", case["phi"], case["seed"])
+    return {**case, "first": f"{power / best[0] - 1:.2e}", "second": f"{stress / best[1] - 1:.2e}", "iterations": f"{iterations:.0f}", "cpu": ""}
+
+
+def of_flow(case):
+    """Relative viscosity, its error, CPU seconds per unit of strain."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    of_fix = {"far": f"{case['knob']} {case['value']}"} if case["knob"] in ("strain", "tol", "hold") else {}
+    of_scene = {case["knob"]: case["value"]} if case["knob"] in ("stokes", "N") else {}
+    data = rheology.simulate(study.HERE / "in.dilute_to_dense", {
+        "level": "grid", "range": "residual 1", "friction": 0.5, "roughness": 0.01, "stiffness": 1e6, "phi": case["phi"], "seed": case["seed"],
+        "N": PARTICLES, "strain": STRAIN, **of_fix, **of_scene})
+    cpu = (resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before) / STRAIN
+    eta, error = rheology.estimate(data["v_sxy"][data["v_gamma"] >= study.TRANSIENT])
+    return {**case, "first": f"{eta:.4g}", "second": f"{error:.2g}", "iterations": "", "cpu": f"{cpu:.3g}"}
+
+
+def wanted(part):
+    if part == "moment":
+        return [dict(zip(CASE, (part, knob, str(value), phi, "4711"))) for phi in ("0.3", "0.5") for knob, values in MOMENT.items() for value in values]
+    return [dict(zip(CASE, (part, knob, str(value), "0.45", seed))) for seed in study.SEEDS[:2] for knob, values in FLOW.items() for value in values]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", default=["moment", "flow"])
+    parser.add_argument("--jobs", type=int, default=1)
+    args = parser.parse_args()
+    for part, measure in (("moment", of_moment), ("flow", of_flow)):
+        if part in args.parts:
+            cases.run(wanted(part), measure, TABLE, FIELDS, args.jobs)
+
+
+if __name__ == "__main__":
+    main()
