@@ -27,6 +27,7 @@ struct LubcontactStep {
   LubcontactTally &tally;
   const Lubcontact_NS::Film &film;
   bool euler;        // integrator of the gap
+  bool plastic;      // has some pair of types the law brizmer?
   double *virial;    // of the cell, to be set; null: nobody asks
 
   // energy and virial of the atoms, null: nobody asks: i, j, energy, force on i, x_i - x_j

@@ -85,6 +85,7 @@ template <class E> class LubcontactLoop : protected Pointers {
 
 template <class E> void LubcontactLoop<E>::run()
 {
+  queue.batch.plastic = step.plastic;
   const bool guard = update->whichflag != 2;    // a minimization may separate anything
   const NeighList *list = step.pairs.list();
   LubcontactHistory &history = step.pairs.history();
@@ -164,6 +165,7 @@ template <class E> void LubcontactLoop<E>::fill()
       b.least[l] = c.threshold.least;
       b.shift[l] = c.threshold.shift;
       b.per_ramp[l] = c.threshold.per_ramp;
+      if (b.plastic) b.per_plastic[l] = c.threshold.per_plastic;
     }
     if constexpr (E::adhesion) {
       b.release_a[l] = c.normal.gap.release_a;

@@ -140,6 +140,7 @@ void PairLubcontact::compute(int eflag, int vflag)
                       *sums,
                       *film,
                       given->euler,
+                      pairs->range().plastic,
                       vflag_global ? cell_virial : nullptr,
                       nullptr,
                       nullptr,
