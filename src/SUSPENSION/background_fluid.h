@@ -46,7 +46,7 @@ class BackgroundFluid : protected Pointers {
 
   Fluid_NS::Flow flow_at(int i) const { return flow->at(i); }
   Fluid_NS::Drag drag(int i) const;
-  bool is_isolated(int i) const { return !isolated || partners[i] < isolated; }
+  bool is_isolated(int i) const { return !isolated || (*partners)[i] < isolated; }
   double viscosity_now() const { return viscosity; }
   bool is_elsewhere() const { return elsewhere; }
   bool only_isolated() const { return isolated > 0; }
@@ -79,7 +79,8 @@ class BackgroundFluid : protected Pointers {
 
   // of this step
   double viscosity;
-  std::vector<double> partners;
+  const std::vector<double> *partners;    // of each particle: those of the only pair style,
+  std::vector<double> of_all_styles;      // or of all
 
   Suspension_NS::InputNumber others;    // factor of the drag on those that are not isolated
 

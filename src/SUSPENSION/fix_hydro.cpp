@@ -173,11 +173,9 @@ void FixHydro::act(bool full)
     work -= dot(step.force - others, step.v_full - flow);
     return step.force - others;
   };
+  if (atom->nlocal > 0) std::fill_n(force_of_atom[0], 6 * atom->nlocal, 0.0);
   HydroLevel::Pull p;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    level->background().exclusive().check(atom->mask[i]);
-    std::fill_n(force_of_atom[i], 6, 0.0);
+  for (const int i : level->dragged()) {
     if (!level->pull(i, p)) continue;
     const bool moves = !(atom->mask[i] & massless);
     const Vec3 f = damp(moves, p.drag.translation, atom->rmass[i], get_vector(atom->v[i]),
@@ -213,7 +211,7 @@ double FixHydro::compute_vector(int n)
   if (n == Output::HEAT) return sum_of_ranks(work);
   if (n >= Output::FORCE) return sum_of_ranks(total[n - Output::FORCE]);
   double mine[5], all[5];
-  sum_stresslets(mine);
+  level->sum_stresslets(mine);
   MPI_Allreduce(mine, all, 5, MPI_DOUBLE, MPI_SUM, world);
   return -force->nktv2p * components(all)[n - Output::STRESS] / Suspension_NS::cell_volume(domain);
 }
@@ -227,21 +225,10 @@ double FixHydro::sum_of_ranks(double mine) const
 
 /* ---------------------------------------------------------------------- */
 
-void FixHydro::sum_stresslets(double *five) const
-{
-  double s[5];
-  std::fill_n(five, 5, 0.0);
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    level->stresslet(i, s);
-    for (int k = 0; k < 5; k++) five[k] += s[k];
-  }
-}
-
 void FixHydro::add_stresslets(double *nine) const
 {
   double sum[5];
-  sum_stresslets(sum);
+  level->sum_stresslets(sum);
   const auto parts = components(sum);
   for (int n = 0; n < 9; n++) nine[n] += parts[n];
 }
@@ -263,7 +250,7 @@ double FixHydro::stresslet_power() const
 {
   double e[5], five[5], sum = 0.0;
   level->find_strain(e);
-  sum_stresslets(five);
+  level->sum_stresslets(five);
   for (int k = 0; k < 5; k++) sum -= five[k] * e[k];
   return sum;
 }

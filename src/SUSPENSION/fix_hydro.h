@@ -94,7 +94,6 @@ class FixHydro : public Fix {
   double step_power;    // of this rank, mean of the last step
 
   void act(bool full);
-  void sum_stresslets(double *five) const;
   double sum_of_ranks(double) const;
 };
 

@@ -24,6 +24,7 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
+using Hydro_NS::HOLD;
 using Hydro_NS::LOAD;
 using Hydro_NS::MOTION;
 using Hydro_NS::NUM_HELD;
@@ -73,6 +74,7 @@ void HydroGrid::start()
   fluid->setup();
   find_strain(strain);
   if (state.solutions == 0.0) solve(FIRST * settings->tolerance);
+  find_dragged();
 }
 
 void HydroGrid::new_step()
@@ -86,6 +88,7 @@ void HydroGrid::new_step()
   const bool due = settings->every ? steps >= settings->every || steps < 0.0
                                    : state.strain >= settings->strain * (1.0 - 1e-9);
   if (due) solve(settings->tolerance);
+  find_dragged();
 }
 
 /* ----------------------------------------------------------------------
@@ -96,8 +99,8 @@ bool HydroGrid::pull(int i, Pull &p) const
 {
   const double *h = held[i];
   p.flow = fluid->flow_at(i);
-  p.drag =
-      Hydro_NS::held_drag({state.translation, state.rotation}, state.viscosity, atom->radius[i]);
+  p.drag = Hydro_NS::held_drag({std::max(state.translation, h[HOLD]), state.rotation},
+                               state.viscosity, atom->radius[i]);
   p.target = {Hydro_NS::held_target(p.drag.translation, p.flow.velocity, get_vector(h + MOTION),
                                     get_vector(h + LOAD)),
               Hydro_NS::held_target(p.drag.rotation, p.flow.spin, get_vector(h + MOTION + 3),

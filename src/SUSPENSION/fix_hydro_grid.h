@@ -73,6 +73,7 @@ class HydroGrid : public HydroLevel {
   void check_pores() const;
   void measure_radius();
   void solve(double tolerance);
+  void hold_each(bool given);
   Pore_NS::Convergence find_loads(const std::vector<double> &right, double tolerance,
                                   std::vector<double> &x);
 };

@@ -188,6 +188,30 @@ void HydroLevel::find_strain(double *five) const
   Hydro_NS::put_strain({{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}, five);
 }
 
+/* ---------------------------------------------------------------------- */
+
+void HydroLevel::find_dragged()
+{
+  const int *mask = atom->mask, groupbit = fix->groupbit;
+  pulled.clear();
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    fluid->exclusive().check(mask[i]);
+    if (fluid->is_isolated(i)) pulled.push_back(i);
+  }
+}
+
+void HydroLevel::sum_stresslets(double *five) const
+{
+  double s[5];
+  std::fill_n(five, 5, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & fix->groupbit)) continue;
+    stresslet(i, s);
+    for (int k = 0; k < 5; k++) five[k] += s[k];
+  }
+}
+
 double HydroLevel::volume_of_group() const
 {
   double sum = 0.0;

@@ -43,17 +43,30 @@ void HydroMean::start()
 {
   fluid->evaluate();
   find_strain(strain);
+  sum_cubes();
 }
 
 void HydroMean::set_up()
 {
   fluid->setup();
+  find_dragged();
 }
 
 void HydroMean::new_step()
 {
   fluid->new_step();
   find_strain(strain);
+  sum_cubes();
+  find_dragged();
+}
+
+void HydroMean::sum_cubes()
+{
+  const int *mask = atom->mask, groupbit = fix->groupbit;
+  const double *radius = atom->radius;
+  cubes = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (mask[i] & groupbit) cubes += radius[i] * radius[i] * radius[i];
 }
 
 bool HydroMean::pull(int i, Pull &p) const
@@ -70,12 +83,16 @@ void HydroMean::stresslet(int i, double *five) const
   for (int k = 0; k < 5; k++) five[k] = factor * strain[k];
 }
 
+void HydroMean::sum_stresslets(double *five) const
+{
+  const double factor = Fluid_NS::straining(fluid->viscosity_now(), 1.0) * cubes;
+  for (int k = 0; k < 5; k++) five[k] = factor * strain[k];
+}
+
 double HydroMean::stresslet_heat() const
 {
-  double square = 0.0, cubes = 0.0;
+  double square = 0.0;
   for (const double e : strain) square += e * e;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & fix->groupbit) cubes += atom->radius[i] * atom->radius[i] * atom->radius[i];
   return -Fluid_NS::straining(fluid->viscosity_now(), 1.0) * cubes * square;
 }
 

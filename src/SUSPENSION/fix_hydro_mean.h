@@ -24,8 +24,14 @@ class HydroMean : public HydroLevel {
   void new_step() override;
   bool pull(int i, Pull &) const override;
   void stresslet(int i, double *five) const override;
+  void sum_stresslets(double *five) const override;
   double stresslet_heat() const override;
   double phi() override;
+
+ private:
+  double cubes = 0.0;    // of the radii of the particles of this rank
+
+  void sum_cubes();
 };
 
 }    // namespace LAMMPS_NS

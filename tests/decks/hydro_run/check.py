@@ -47,12 +47,8 @@ def viscosity():
         deck.expect_close(f"{name}: volume fraction", t["phi"][0], phi, rtol=1e-12)
 
 
-def worst(a, b, but=()):
-    return max(np.max(np.abs(a[n] - b[n])) / max(np.max(np.abs(b[n])), 1e-300) for n in a if n not in but)
-
-
 def rounding():
-    """Ranks, newton and restart change nothing but digits at the end: those of the solution to its tolerance."""
+    """Ranks and newton change nothing but digits at the end, those of the solution to its tolerance; a restart no bit."""
     names = ("xy", "yy", "heat", "PotEng", "KinEng")
     t = read(steps=60)
     others = [("newton off", {"newton": "off"})] + ([] if SINGLE else [("one rank", {"ranks": 1})])
@@ -61,12 +57,11 @@ def rounding():
         for name in names:
             deck.expect_close(f"{other}: {name}", o[name], t[name], atol=1e-7 * np.max(np.abs(t[name])))
         deck.expect(f"{other}: iterations", np.array_equal(o["iterations"], t["iterations"]))
-    whole, again = read(steps=70, grid=GRID, half="yes"), read("in.restarted", steps=70, grid=GRID)
-    a, b = deck.read_dump("restarted.dump"), deck.read_dump("whole.dump")
-    deck.expect("restart: particles", worst(a, b) < 1e-9, f"{worst(a, b):.1e}")
-    but = ("v_momentum",)
-    deck.expect("restart: output", worst(again, whole, but) < 1e-9, f"{worst(again, whole, but):.1e}")
-    deck.expect("restart: solutions at the same steps", np.array_equal(again["solutions"], whole["solutions"]))
+    servo = "deform/rheometer rate 1.0 pressure 40 start 1.0"
+    whole = read(flow=servo, steps=70, grid=GRID, half="yes")
+    again = read("in.restarted", flow=servo, steps=70, grid=GRID)
+    deck.expect_same_bits("restart: particles", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
+    deck.expect_same_bits("restart: output", again, whole)
 
 
 def flip():
