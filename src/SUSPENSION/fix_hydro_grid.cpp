@@ -74,6 +74,7 @@ void HydroGrid::start()
   fluid->setup();
   find_strain(strain);
   if (state.solutions == 0.0) solve(FIRST * settings->tolerance);
+  heat = heat_before = sum_heat();
   find_dragged();
 }
 
@@ -88,6 +89,8 @@ void HydroGrid::new_step()
   const bool due = settings->every ? steps >= settings->every || steps < 0.0
                                    : state.strain >= settings->strain * (1.0 - 1e-9);
   if (due) solve(settings->tolerance);
+  heat_before = heat;
+  heat = sum_heat();
   find_dragged();
 }
 
@@ -113,13 +116,13 @@ void HydroGrid::stresslet(int i, double *five) const
   std::copy_n(held[i] + LOAD + 6, 5, five);
 }
 
-double HydroGrid::stresslet_heat() const
+double HydroGrid::sum_heat() const
 {
-  double heat = 0.0;
+  double sum = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & fix->groupbit)
-      for (int k = 0; k < 5; k++) heat -= held[i][LOAD + 6 + k] * strain[k];
-  return heat;
+      for (int k = 0; k < 5; k++) sum -= held[i][LOAD + 6 + k] * strain[k];
+  return sum;
 }
 
 /* ---------------------------------------------------------------------- */

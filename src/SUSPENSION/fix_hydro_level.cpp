@@ -192,12 +192,20 @@ void HydroLevel::find_strain(double *five) const
 
 void HydroLevel::find_dragged()
 {
-  const int *mask = atom->mask, groupbit = fix->groupbit;
+  const int *mask = atom->mask, groupbit = fix->groupbit, number = atom->nlocal;
+  const BackgroundFluid::Isolation isolation = fluid->isolation();
+  const ExclusiveParticles &exclusive = fluid->exclusive();
   pulled.clear();
-  for (int i = 0; i < atom->nlocal; i++) {
+  const bool everyone = fix->igroup == 0 && !exclusive.has_rules();
+  if (everyone && isolation.partners) {    // the usual case, in few instructions
+    for (int i = 0; i < number; i++)
+      if (isolation.partners[i] < isolation.fewer) pulled.push_back(i);
+    return;
+  }
+  for (int i = 0; i < number; i++) {
     if (!(mask[i] & groupbit)) continue;
-    fluid->exclusive().check(mask[i]);
-    if (fluid->is_isolated(i)) pulled.push_back(i);
+    exclusive.check(mask[i]);
+    if (isolation.of(i)) pulled.push_back(i);
   }
 }
 

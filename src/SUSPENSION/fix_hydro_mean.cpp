@@ -43,7 +43,7 @@ void HydroMean::start()
 {
   fluid->evaluate();
   find_strain(strain);
-  sum_cubes();
+  rate = rate_before = find_rate();
 }
 
 void HydroMean::set_up()
@@ -56,17 +56,9 @@ void HydroMean::new_step()
 {
   fluid->new_step();
   find_strain(strain);
-  sum_cubes();
+  rate_before = rate;
+  rate = find_rate();
   find_dragged();
-}
-
-void HydroMean::sum_cubes()
-{
-  const int *mask = atom->mask, groupbit = fix->groupbit;
-  const double *radius = atom->radius;
-  cubes = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (mask[i] & groupbit) cubes += radius[i] * radius[i] * radius[i];
 }
 
 bool HydroMean::pull(int i, Pull &p) const
@@ -85,15 +77,25 @@ void HydroMean::stresslet(int i, double *five) const
 
 void HydroMean::sum_stresslets(double *five) const
 {
-  const double factor = Fluid_NS::straining(fluid->viscosity_now(), 1.0) * cubes;
+  const double factor = Fluid_NS::straining(fluid->viscosity_now(), 1.0) * cubes();
   for (int k = 0; k < 5; k++) five[k] = factor * strain[k];
 }
 
-double HydroMean::stresslet_heat() const
+double HydroMean::find_rate() const
 {
   double square = 0.0;
   for (const double e : strain) square += e * e;
-  return -Fluid_NS::straining(fluid->viscosity_now(), 1.0) * cubes * square;
+  return -Fluid_NS::straining(fluid->viscosity_now(), 1.0) * square;
+}
+
+double HydroMean::cubes() const
+{
+  const int *mask = atom->mask, groupbit = fix->groupbit, number = atom->nlocal;
+  const double *radius = atom->radius;
+  double sum = 0.0;
+  for (int i = 0; i < number; i++)
+    if (mask[i] & groupbit) sum += radius[i] * radius[i] * radius[i];
+  return sum;
 }
 
 double HydroMean::phi()
