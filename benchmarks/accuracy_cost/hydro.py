@@ -21,7 +21,7 @@ CASE = ["part", "knob", "value", "phi", "seed"]
 # moment: error of the power and of the stress of the stresslets against the finest settings; flow: relative viscosity and its error
 FIELDS = CASE + ["first", "second", "iterations", "cpu"]
 FINEST = "spacing 0.5 support 7 reach 9 tol 1e-9"
-MOMENT = {"tol": [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4], "spacing": [1.2, 1.0, 0.82, 0.69, 0.5], "support": [3, 3.5, 4, 4.5, 5, 6],
+MOMENT = {"tol": [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4], "spacing": [1.0, 0.9, 0.82, 0.69, 0.5], "support": [3, 3.5, 4, 4.5, 5, 6],
           "reach": [3, 4, 5, 6, 7], "width": [0.8, 0.9, 1, 1.1, 1.25]}
 FLOW = {"base": [""], "strain": [0.0025, 0.005, 0.02, 0.04], "tol": [0.001, 0.03, 0.1], "hold": ["8 2", "30 2", "15.4 1", "15.4 15"],
         "stokes": [0.0125, 0.2], "N": [200, 1000]}
