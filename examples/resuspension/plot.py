@@ -68,12 +68,13 @@ def main():
     ax = axes[0, 0]    # profiles
     for name, row in chosen.items():
         p, sh = profiles[name], float(row["shields"])
-        ax.plot(p["phi"], (resuspension.surface(p["z"], p["phi"]) - p["z"]) / sh, "o", ms=3, color=color(p), label=f"Sh {sh:g}")
-    deepest = min(float(row["shields"]) for row in chosen.values())
+        above = p["z"] > resuspension.FLOOR + 2
+        ax.plot(p["phi"][above], (resuspension.surface(p["z"], p["phi"]) - p["z"][above]) / sh, "o", ms=3, color=color(p), label=f"Sh {sh:g}")
+    lowest = min(float(row["shields"]) for row in chosen.values())
     for law, style in zip((own, named[0]), STYLES):
-        model = balance.profile(law, deepest, float(heights[0]["column"]))
-        ax.plot(model.phi, (model.height - model.z) / deepest, style, color="0.3", lw=1, label=f"model, {law.name}")
-    ax.set(xlabel="volume fraction", ylabel="depth / (Sh radius)", yscale="log", xlim=(0, 0.65), ylim=(300, 0.03))
+        model = balance.profile(law, lowest, float(heights[0]["column"]))
+        ax.plot(model.phi, (model.height - model.z) / lowest, style, color="0.3", lw=1, label=f"model, {law.name}")
+    ax.set(xlabel="volume fraction", ylabel="depth / (Sh radius)", yscale="log", xlim=(0, 0.65), ylim=(400, 0.03))
     ax.legend(frameon=False, fontsize=8)
 
     ax = axes[0, 1]    # who carries the weight

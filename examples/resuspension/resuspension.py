@@ -79,6 +79,8 @@ class Run:
         """Stress less load of layers between floor and surface: rms over the load, and over its error from parts of the run."""
         per = max(1, round(strain / (self.times[1] - self.times[0]))) if self.outputs > 1 else 1
         parts = [slice(n, n + per) for n in range(start, self.outputs - per + 1, per)]
+        if len(parts) < 3:
+            return np.nan, np.nan
         thick, bulk = round(layer / self.thick), self.bulk(start)
         first = np.flatnonzero(bulk)[0]
         excess, load = [], []
@@ -182,7 +184,7 @@ def rows_of(name, run, start):
     for n in range(first, last, step):
         at = slice(n, n + step)
         parts = [p.stress[run.up, origin][at].mean() for origin in ORIGINS]
-        values = [p.z[at].mean(), p.phi[at].mean(), p.load[at].mean(), p.drag[at].sum(), rate[at].mean(), *parts]
+        values = [p.z[at].mean(), p.phi[at].mean(), p.load[at].mean(), np.where(p.z > FLOOR, p.drag, 0)[at].sum(), rate[at].mean(), *parts]
         yield [name, run.scene["direction"], f"{run.scene['shields']:g}"] + [f"{value:.5g}" for value in values]
 
 

@@ -7,16 +7,16 @@ jobs=${1:-2}
 shift || true
 mkdir -p runs
 
-# Shields number, and the strain that the layer takes to rise
+# Shields number, strain that the layer takes to rise, strain of the averages, inertia
 cases="
-0.2 7
-2 9
-20 16
+0.2 7 12 0.1
+2 9 9 0.05
+20 16 14 0.1
 "
 run() {
-  shields=$1 rise=$2
-  shift 2
-  ../../tools/lmp.sh -in in.resuspension -log none -screen "runs/Sh$shields.log" -var out "runs/Sh$shields" -var shields "$shields" -var rise "$rise" "$@"
+  shields=$1 rise=$2 strain=$3 inertia=$4
+  shift 4
+  ../../tools/lmp.sh -in in.resuspension -log none -screen "runs/Sh$shields.log" -var out "runs/Sh$shields" -var shields "$shields" -var rise "$rise" -var strain "$strain" -var inertia "$inertia" "$@"
   echo "Sh $shields: done"
 }
 export -f run
