@@ -76,7 +76,8 @@ def phi_to_start(iv, chi_f):
 
 
 def simulate(deck, variables, ranks=1, log="none"):
-    """Runs a deck of an example in a scratch folder; columns of its stress.txt, and contacts.txt if any, as a dict."""
+    """Runs a deck of an example in a scratch folder; columns of its stress.txt, and of normal.txt and contacts.txt if
+    any, as a dict."""
     environment = dict(os.environ)
     lmp = environment.pop("LAMMPS_EXECUTABLE", None)    # the tests say which; for the tools it would be one of the user
     command = [environment["MPIRUN"], str(ranks), lmp] if lmp and "MPIRUN" in environment else \
@@ -90,13 +91,13 @@ def simulate(deck, variables, ranks=1, log="none"):
 
 
 def read_run(folder="."):
-    """Columns of stress.txt and, if there is one, of contacts.txt, which has a line more: that of the start."""
+    """Columns of stress.txt and, if there are any, of normal.txt and contacts.txt, which has a line more: that of the start."""
     data = steady.read_ave_time(Path(folder) / "stress.txt")
-    contacts = Path(folder) / "contacts.txt"
-    if contacts.exists():
-        more = steady.read_ave_time(contacts)
-        kept = np.searchsorted(more["TimeStep"], data["TimeStep"])
-        data.update({name: column[kept] for name, column in more.items() if name not in data})
+    for file in ("normal.txt", "contacts.txt"):
+        if (Path(folder) / file).exists():
+            more = steady.read_ave_time(Path(folder) / file)
+            kept = np.searchsorted(more["TimeStep"], data["TimeStep"])
+            data.update({name: column[kept] for name, column in more.items() if name not in data})
     return data
 
 
@@ -107,6 +108,15 @@ def estimate(values):
         return found.mean, found.error
     except steady.TooShort:
         return float(np.mean(values)), float("nan")
+
+
+def ratio(above, below):
+    """Ratio of two means and its error, as estimate() does it."""
+    try:
+        found = steady.ratio(above, below)
+        return found.mean, found.error
+    except steady.TooShort:
+        return float(np.mean(above) / np.mean(below)), float("nan")
 
 
 def steady_from(x, *signals):
