@@ -203,7 +203,7 @@ void FixHydro::forget_forces(bool all)
   if (!all)
     for (const int i : had_force) std::fill_n(force_of_atom[i], 6, 0.0);
   else if (atom->nlocal > 0)
-    std::fill_n(force_of_atom[0], 6 * atom->nlocal, 0.0);
+    std::fill_n(*force_of_atom, 6 * atom->nlocal, 0.0);
 }
 
 // xx yy zz xy xz yz yx zx zy

@@ -52,7 +52,7 @@ class HydroLevel : protected Pointers {
   virtual void stresslet(int i, double *five) const = 0;    // on the fluid, as in hydro_tensors.h
   virtual void sum_stresslets(double *five) const;          // of this rank
   virtual double stresslet_heat() const = 0;                // in the last step, of this rank
-  virtual double mean_stresslet_heat() const = 0;    // from the step before to the last one
+  virtual double mean_stresslet_heat() const = 0;           // from the step before to the last one
 
   // rate of strain of the cell without its trace, at this moment
   void find_strain(double *five) const;

@@ -107,8 +107,8 @@ std::vector<double> HydroPreconditioner::find_neighborhoods()
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
   const double size = all[0] > 0.0 ? all[1] / all[0] : 0.0;
   waves.set_response([&](const WaveVector &wave) {
-    const double f = density_factor(wave) / grid.volume() *
-        neighborhood(std::sqrt(wave.square) * size);
+    const double f =
+        density_factor(wave) / grid.volume() * neighborhood(std::sqrt(wave.square) * size);
     return WaveFactors{f, f};
   });
   std::fill(waves.field.begin(), waves.field.end(), 0.0);
@@ -119,8 +119,7 @@ std::vector<double> HydroPreconditioner::find_neighborhoods()
   waves.solve();
   std::vector<double> found;
   for (const Member &m : members)
-    found.push_back(
-        interpolate(m.spline, gradients, waves.brick(), waves.field.data()).velocity.x);
+    found.push_back(interpolate(m.spline, gradients, waves.brick(), waves.field.data()).velocity.x);
   return found;
 }
 

@@ -90,8 +90,8 @@ void HydroGrid::solve(double tolerance)
 void HydroGrid::hold_each(bool given)
 {
   const std::vector<int> &particles = field->particles();
-  const std::vector<double> about =
-      given ? std::vector<double>(particles.size(), 0.0) : preconditioner->find_neighborhoods();
+  const std::vector<double> about = given ? std::vector<double>(particles.size(), 0.0)
+                                          : preconditioner->find_neighborhoods();
   for (std::size_t n = 0; n < particles.size(); n++)
     held[particles[n]][HOLD] = given ? 0.0 : Hydro_NS::default_hold(about[n]).translation;
 }

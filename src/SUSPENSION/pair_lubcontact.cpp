@@ -8,6 +8,7 @@
 ------------------------------------------------------------------------- */
 
 #include "pair_lubcontact.h"
+#include "pair_lubcontact_count.h"
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -20,7 +21,6 @@
 #include "lubcontact_checks.h"
 #include "lubcontact_loop.h"
 #include "lubcontact_pairs.h"
-#include "pair_lubcontact_partners.h"
 #include "lubcontact_report.h"
 #include "lubcontact_stiffness.h"
 #include "lubcontact_tally.h"

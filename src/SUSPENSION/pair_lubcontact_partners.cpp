@@ -10,6 +10,7 @@
 // Sums over the partners of each particle.
 
 #include "pair_lubcontact.h"
+#include "pair_lubcontact_count.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -17,7 +18,6 @@
 #include "lubcontact_history.h"
 #include "lubcontact_law.h"
 #include "lubcontact_pairs.h"
-#include "pair_lubcontact_partners.h"
 #include "lubcontact_stiffness.h"
 #include "neigh_list.h"
 

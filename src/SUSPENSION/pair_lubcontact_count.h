@@ -7,8 +7,8 @@
    See the LICENSE file in the top-level directory.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_PAIR_LUBCONTACT_PARTNERS_H
-#define LMP_PAIR_LUBCONTACT_PARTNERS_H
+#ifndef LMP_PAIR_LUBCONTACT_COUNT_H
+#define LMP_PAIR_LUBCONTACT_COUNT_H
 
 #include "lubcontact_loop.h"
 
