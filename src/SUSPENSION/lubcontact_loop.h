@@ -33,8 +33,8 @@ struct LubcontactStep {
   LubcontactPairs &pairs;
   LubcontactTally &tally;
   const Lubcontact_NS::Film &film;
-  bool euler;                                // integrator of the gap
-  double *virial;                            // of the cell, to be set; null: nobody asks
+  bool euler;        // integrator of the gap
+  double *virial;    // of the cell, to be set; null: nobody asks
   std::vector<LubcontactChange> *changes;    // to be added to, of pairs with a history; likewise
 
   // energy and virial of the atoms, null: nobody asks: i, j, energy, force on i, x_i - x_j
