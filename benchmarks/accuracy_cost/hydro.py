@@ -78,6 +78,8 @@ def draw():
     value, eta, error, cpu = of("flow", "strain", "0.45", "first", "second", "cpu")
     right.errorbar(value, eta, error, fmt="o-", ms=4, color="C0")
     right.set(xscale="log", xlabel="strain between two solutions", ylabel="relative viscosity", ylim=(0, None))
+    right.set_xticks(value, [f"{x:g}" for x in value])
+    right.minorticks_off()
     cost = right.twinx()
     cost.plot(value, cpu, "s--", ms=4, color="0.5")
     cost.set_ylabel("CPU seconds per unit of strain", color="0.5")
