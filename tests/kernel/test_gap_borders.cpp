@@ -162,7 +162,8 @@ TEST(ExponentialScheme, BothPathsAreTheMeanToRoundingOnBothSidesOfTheirBorders)
 {
   // where D is largest the short series of the usual step leave q^4/24 of exp(q), q = D mean(s^2)
   for (const double y0 : {-250.0, -3.0, 1.0})
-    for (const double x : {-30.1, -29.9, -5.0, -0.3, -0.2, 0.0, 0.2, 0.3, 5.0, 29.9, 30.1, 75.0, 299.0})
+    for (const double x :
+         {-30.1, -29.9, -5.0, -0.3, -0.2, 0.0, 0.2, 0.3, 5.0, 29.9, 30.1, 75.0, 299.0})
       for (const double D :
            {-0.49, -0.1, -0.0101, -0.0099, -0.002, 0.0, 0.002, 0.0099, 0.0101, 0.1, 0.49})
         for (const double h : {1e-3, 1.0, 1e4}) {
