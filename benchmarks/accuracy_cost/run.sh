@@ -9,3 +9,4 @@ cd "$(dirname "$0")"
 ../../tools/python.sh promise.py
 ../../tools/python.sh pairs.py
 ../../tools/python.sh pore.py
+../../tools/python.sh hydro.py

@@ -179,12 +179,15 @@ void BackgroundFluid::check_isolated() const
 
 void BackgroundFluid::count_partners()
 {
-  partners.assign(atom->nlocal, 0.0);
-  std::vector<double> part;
-  for (PairLubcontact *pair : PairLubcontact::all(lmp)) {
-    pair->count_partners(part);
-    for (int i = 0; i < atom->nlocal; i++) partners[i] += part[i];
+  const auto pairs = PairLubcontact::all(lmp);
+  partners = &pairs.front()->count_partners();
+  if (pairs.size() == 1) return;
+  of_all_styles.assign(partners->begin(), partners->begin() + atom->nlocal);
+  for (std::size_t n = 1; n < pairs.size(); n++) {
+    const std::vector<double> &part = pairs[n]->count_partners();
+    for (int i = 0; i < atom->nlocal; i++) of_all_styles[i] += part[i];
   }
+  partners = &of_all_styles;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -201,5 +204,5 @@ Fluid_NS::Drag BackgroundFluid::drag(int i) const
 
 double BackgroundFluid::memory_usage() const
 {
-  return sizeof(double) * partners.capacity() + flow->memory_usage();
+  return sizeof(double) * of_all_styles.capacity() + flow->memory_usage();
 }

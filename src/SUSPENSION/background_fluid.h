@@ -46,7 +46,14 @@ class BackgroundFluid : protected Pointers {
 
   Fluid_NS::Flow flow_at(int i) const { return flow->at(i); }
   Fluid_NS::Drag drag(int i) const;
-  bool is_isolated(int i) const { return !isolated || partners[i] < isolated; }
+  // which particles have fewer partners than needed, in this step
+  struct Isolation {
+    const double *partners;    // null: all are isolated
+    double fewer;
+    bool of(int i) const { return !partners || partners[i] < fewer; }
+  };
+  Isolation isolation() const { return {isolated ? partners->data() : nullptr, 1.0 * isolated}; }
+  bool is_isolated(int i) const { return isolation().of(i); }
   double viscosity_now() const { return viscosity; }
   bool is_elsewhere() const { return elsewhere; }
   bool only_isolated() const { return isolated > 0; }
@@ -79,7 +86,8 @@ class BackgroundFluid : protected Pointers {
 
   // of this step
   double viscosity;
-  std::vector<double> partners;
+  const std::vector<double> *partners;    // of each particle: those of the only pair style,
+  std::vector<double> of_all_styles;      // or of all
 
   Suspension_NS::InputNumber others;    // factor of the drag on those that are not isolated
 

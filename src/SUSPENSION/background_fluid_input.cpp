@@ -40,7 +40,7 @@ BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, int narg, char **arg) 
     Pointers(lmp), fix(owner), style(owner->style), own(lmp), eta_of_pair(false),
     needs_viscosity(false), elsewhere(false), eta_word("eta"),
     rule(BackgroundHindrance::none(lmp, owner)), body(Fluid_NS::Shape::SPHERE), isolated(0),
-    evaluated(false), viscosity(0.0)
+    evaluated(false), viscosity(0.0), partners(nullptr)
 {
   Suspension_NS::require_words(FLERR, error, "fix " + style, narg + 1,
                                "fix ID group " + style + " eta ...");
@@ -60,7 +60,7 @@ BackgroundFluid::BackgroundFluid(LAMMPS *lmp, Fix *owner, const Choice &choice) 
     eta(choice.viscosity), eta_of_pair(choice.of_pair), needs_viscosity(true),
     elsewhere(choice.elsewhere), eta_word("viscosity"), flow(BackgroundFlow::of_cell(lmp, owner)),
     rule(BackgroundHindrance::none(lmp, owner)), body(Fluid_NS::Shape::SPHERE),
-    isolated(choice.isolated), evaluated(false), viscosity(0.0)
+    isolated(choice.isolated), evaluated(false), viscosity(0.0), partners(nullptr)
 {
 }
 

@@ -33,6 +33,8 @@ class ExclusiveParticles : protected Pointers {
   void forbid(int bits,
               const Complaint &);    // stops if the particles now or to come break the rule
 
+  bool has_rules() const { return others != 0; }
+
   // particle i of the fix, in each step
   void check(int mask) const
   {

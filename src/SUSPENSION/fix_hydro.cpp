@@ -18,6 +18,7 @@
 #include "hydro_tensors.h"
 #include "memory.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "spin_inertia.h"
 #include "suspension_host.h"
 #include "suspension_input.h"
@@ -69,7 +70,7 @@ FixHydro::FixHydro(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), level(make_level(lmp, this, narg, arg)),
     words(utils::join_words(std::vector<std::string>(arg + 3, arg + narg), " ")),
     inertia(new SpinInertia()), force_of_atom(nullptr), work(0.0), total{}, dragged(0.0),
-    massless(0), step_power(0.0)
+    massless(0), step_power(0.0), stepped(false)
 {
   vector_flag = 1;
   size_vector = Output::NUM;
@@ -138,7 +139,8 @@ void FixHydro::setup(int /*vflag*/)
 {
   level->set_up();
   act(true);
-  step_power = 0.0;    // no step yet
+  step_power = 0.0;
+  stepped = false;
 }
 
 void FixHydro::post_force(int /*vflag*/)
@@ -147,6 +149,7 @@ void FixHydro::post_force(int /*vflag*/)
   const double before = work;
   act(false);
   step_power = 0.5 * (before + work);
+  stepped = true;
 }
 
 /* ----------------------------------------------------------------------
@@ -156,7 +159,7 @@ void FixHydro::post_force(int /*vflag*/)
 void FixHydro::act(bool full)
 {
   const double dt = update->dt * force->ftm2v;
-  work = level->stresslet_heat();
+  work = 0.0;
   dragged = 0.0;
   std::fill_n(total, 6, 0.0);
   // damps what acts on v; the mean force of the fluid in this step. Without inertia it balances
@@ -173,11 +176,9 @@ void FixHydro::act(bool full)
     work -= dot(step.force - others, step.v_full - flow);
     return step.force - others;
   };
+  forget_forces(full || neighbor->ago == 0);
   HydroLevel::Pull p;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    level->background().exclusive().check(atom->mask[i]);
-    std::fill_n(force_of_atom[i], 6, 0.0);
+  for (const int i : level->dragged()) {
     if (!level->pull(i, p)) continue;
     const bool moves = !(atom->mask[i] & massless);
     const Vec3 f = damp(moves, p.drag.translation, atom->rmass[i], get_vector(atom->v[i]),
@@ -190,6 +191,19 @@ void FixHydro::act(bool full)
     Lubcontact_NS::put_vector(t, force_of_atom[i] + 3);
     dragged += 1.0;
   }
+  had_force = level->dragged();
+}
+
+/* ----------------------------------------------------------------------
+   of all particles, or those that had one while none of them changed its place
+------------------------------------------------------------------------- */
+
+void FixHydro::forget_forces(bool all)
+{
+  if (!all)
+    for (const int i : had_force) std::fill_n(force_of_atom[i], 6, 0.0);
+  else if (atom->nlocal > 0)
+    std::fill_n(*force_of_atom, 6 * atom->nlocal, 0.0);
 }
 
 // xx yy zz xy xz yz yx zx zy
@@ -210,10 +224,10 @@ double FixHydro::compute_vector(int n)
   if (n == Output::SOLUTIONS) return level->solutions();
   if (n == Output::PHI) return level->phi();
   if (n == Output::DRAGGED) return sum_of_ranks(dragged);
-  if (n == Output::HEAT) return sum_of_ranks(work);
+  if (n == Output::HEAT) return sum_of_ranks(work + level->stresslet_heat());
   if (n >= Output::FORCE) return sum_of_ranks(total[n - Output::FORCE]);
   double mine[5], all[5];
-  sum_stresslets(mine);
+  level->sum_stresslets(mine);
   MPI_Allreduce(mine, all, 5, MPI_DOUBLE, MPI_SUM, world);
   return -force->nktv2p * components(all)[n - Output::STRESS] / Suspension_NS::cell_volume(domain);
 }
@@ -227,21 +241,10 @@ double FixHydro::sum_of_ranks(double mine) const
 
 /* ---------------------------------------------------------------------- */
 
-void FixHydro::sum_stresslets(double *five) const
-{
-  double s[5];
-  std::fill_n(five, 5, 0.0);
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    level->stresslet(i, s);
-    for (int k = 0; k < 5; k++) five[k] += s[k];
-  }
-}
-
 void FixHydro::add_stresslets(double *nine) const
 {
   double sum[5];
-  sum_stresslets(sum);
+  level->sum_stresslets(sum);
   const auto parts = components(sum);
   for (int n = 0; n < 9; n++) nine[n] += parts[n];
 }
@@ -263,7 +266,7 @@ double FixHydro::stresslet_power() const
 {
   double e[5], five[5], sum = 0.0;
   level->find_strain(e);
-  sum_stresslets(five);
+  level->sum_stresslets(five);
   for (int k = 0; k < 5; k++) sum -= five[k] * e[k];
   return sum;
 }
@@ -280,7 +283,7 @@ double FixHydro::torque(int d)
 
 double FixHydro::mean_power()
 {
-  return sum_of_ranks(step_power);
+  return stepped ? sum_of_ranks(step_power + level->mean_stresslet_heat()) : 0.0;
 }
 
 double FixHydro::memory_usage()

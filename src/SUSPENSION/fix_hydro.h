@@ -88,13 +88,16 @@ class FixHydro : public Fix {
   std::string words;
   std::unique_ptr<class SpinInertia> inertia;
   double **force_of_atom;    // for output: force and torque of the fluid
-  // of this rank: heat, force and torque of the fluid, number of particles that it drags
+  // of this rank: heat of the drag, force and torque of the fluid, number of particles dragged
   double work, total[6], dragged;
   int massless;         // bits of groups that have no inertia
-  double step_power;    // of this rank, mean of the last step
+  double step_power;    // of the drag, of this rank, mean of the last step
+  bool stepped;         // in this run
+
+  std::vector<int> had_force;    // in the last step
 
   void act(bool full);
-  void sum_stresslets(double *five) const;
+  void forget_forces(bool all);
   double sum_of_ranks(double) const;
 };
 

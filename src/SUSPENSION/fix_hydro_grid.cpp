@@ -24,6 +24,7 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
+using Hydro_NS::HOLD;
 using Hydro_NS::LOAD;
 using Hydro_NS::MOTION;
 using Hydro_NS::NUM_HELD;
@@ -73,6 +74,8 @@ void HydroGrid::start()
   fluid->setup();
   find_strain(strain);
   if (state.solutions == 0.0) solve(FIRST * settings->tolerance);
+  heat = heat_before = sum_heat();
+  find_dragged();
 }
 
 void HydroGrid::new_step()
@@ -86,6 +89,9 @@ void HydroGrid::new_step()
   const bool due = settings->every ? steps >= settings->every || steps < 0.0
                                    : state.strain >= settings->strain * (1.0 - 1e-9);
   if (due) solve(settings->tolerance);
+  heat_before = heat;
+  heat = sum_heat();
+  find_dragged();
 }
 
 /* ----------------------------------------------------------------------
@@ -96,8 +102,8 @@ bool HydroGrid::pull(int i, Pull &p) const
 {
   const double *h = held[i];
   p.flow = fluid->flow_at(i);
-  p.drag =
-      Hydro_NS::held_drag({state.translation, state.rotation}, state.viscosity, atom->radius[i]);
+  p.drag = Hydro_NS::held_drag({std::max(state.translation, h[HOLD]), state.rotation},
+                               state.viscosity, atom->radius[i]);
   p.target = {Hydro_NS::held_target(p.drag.translation, p.flow.velocity, get_vector(h + MOTION),
                                     get_vector(h + LOAD)),
               Hydro_NS::held_target(p.drag.rotation, p.flow.spin, get_vector(h + MOTION + 3),
@@ -110,13 +116,13 @@ void HydroGrid::stresslet(int i, double *five) const
   std::copy_n(held[i] + LOAD + 6, 5, five);
 }
 
-double HydroGrid::stresslet_heat() const
+double HydroGrid::sum_heat() const
 {
-  double heat = 0.0;
+  double sum = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & fix->groupbit)
-      for (int k = 0; k < 5; k++) heat -= held[i][LOAD + 6 + k] * strain[k];
-  return heat;
+      for (int k = 0; k < 5; k++) sum -= held[i][LOAD + 6 + k] * strain[k];
+  return sum;
 }
 
 /* ---------------------------------------------------------------------- */

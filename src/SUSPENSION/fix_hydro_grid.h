@@ -33,7 +33,8 @@ class HydroGrid : public HydroLevel {
   bool pull(int i, Pull &) const override;
   bool drags_all() const override { return true; }
   void stresslet(int i, double *five) const override;
-  double stresslet_heat() const override;
+  double stresslet_heat() const override { return heat; }
+  double mean_stresslet_heat() const override { return 0.5 * (heat_before + heat); }
 
   double iterations() const override { return state.iterations; }
   double residual() const override { return state.residual; }
@@ -56,6 +57,7 @@ class HydroGrid : public HydroLevel {
   std::unique_ptr<HydroField> field;
   std::unique_ptr<HydroPreconditioner> preconditioner;
   NeighList *list;
+  double heat = 0.0, heat_before = 0.0;    // of the stresslets, of this rank
 
   // numbers only: a restart file holds it
   struct State {
@@ -72,7 +74,9 @@ class HydroGrid : public HydroLevel {
   void check_cell() const;
   void check_pores() const;
   void measure_radius();
+  double sum_heat() const;
   void solve(double tolerance);
+  void hold_each(bool given);
   Pore_NS::Convergence find_loads(const std::vector<double> &right, double tolerance,
                                   std::vector<double> &x);
 };

@@ -16,8 +16,10 @@
 
 namespace LAMMPS_NS::Hydro_NS {
 
-// of a particle: load of the last solution and of the one before, velocity and spin of the last one
-static constexpr int LOAD = 0, BEFORE = NUMBERS, MOTION = 2 * NUMBERS, NUM_HELD = MOTION + 6;
+// of a particle: load of the last solution and of the one before, velocity and spin of the last
+// one, and the factor of the drag with which its force follows them, if it is more than that of all
+static constexpr int LOAD = 0, BEFORE = NUMBERS, MOTION = 2 * NUMBERS, HOLD = MOTION + 6,
+                     NUM_HELD = HOLD + 1;
 
 }    // namespace LAMMPS_NS::Hydro_NS
 

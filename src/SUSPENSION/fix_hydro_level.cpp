@@ -188,6 +188,38 @@ void HydroLevel::find_strain(double *five) const
   Hydro_NS::put_strain({{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}, five);
 }
 
+/* ---------------------------------------------------------------------- */
+
+void HydroLevel::find_dragged()
+{
+  const int *mask = atom->mask, groupbit = fix->groupbit, number = atom->nlocal;
+  const BackgroundFluid::Isolation isolation = fluid->isolation();
+  const ExclusiveParticles &exclusive = fluid->exclusive();
+  pulled.clear();
+  const bool everyone = fix->igroup == 0 && !exclusive.has_rules();
+  if (everyone && isolation.partners) {    // the usual case, in few instructions
+    for (int i = 0; i < number; i++)
+      if (isolation.partners[i] < isolation.fewer) pulled.push_back(i);
+    return;
+  }
+  for (int i = 0; i < number; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    exclusive.check(mask[i]);
+    if (isolation.of(i)) pulled.push_back(i);
+  }
+}
+
+void HydroLevel::sum_stresslets(double *five) const
+{
+  double s[5];
+  std::fill_n(five, 5, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & fix->groupbit)) continue;
+    stresslet(i, s);
+    for (int k = 0; k < 5; k++) five[k] += s[k];
+  }
+}
+
 double HydroLevel::volume_of_group() const
 {
   double sum = 0.0;

@@ -21,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -44,11 +45,14 @@ class HydroLevel : protected Pointers {
     Fluid_NS::Flow target, flow;
   };
   virtual bool pull(int i, Pull &) const = 0;
+  const std::vector<int> &dragged() const { return pulled; }    // in this step, of this rank
   virtual bool drags_all() const { return false; }
   // does it leave the rest of pairs to residual films?
   virtual bool leaves_residual() const { return false; }
   virtual void stresslet(int i, double *five) const = 0;    // on the fluid, as in hydro_tensors.h
+  virtual void sum_stresslets(double *five) const;          // of this rank
   virtual double stresslet_heat() const = 0;                // in the last step, of this rank
+  virtual double mean_stresslet_heat() const = 0;           // from the step before to the last one
 
   // rate of strain of the cell without its trace, at this moment
   void find_strain(double *five) const;
@@ -93,9 +97,12 @@ class HydroLevel : protected Pointers {
                                    const std::function<int(int)> &parse_one) const;
   int parse_viscosity(int iarg, char **arg, BackgroundFluid::Choice &) const;
   double positive(int iarg, char **arg, const std::string &key) const;
+  void find_dragged();               // once the fluid knows this step
   double volume_of_group() const;    // of this rank
 
  private:
+  std::vector<int> pulled;
+
   void check_alone() const;
   void check_films() const;
   void check_others();

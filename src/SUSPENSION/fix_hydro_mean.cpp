@@ -43,17 +43,22 @@ void HydroMean::start()
 {
   fluid->evaluate();
   find_strain(strain);
+  rate = rate_before = find_rate();
 }
 
 void HydroMean::set_up()
 {
   fluid->setup();
+  find_dragged();
 }
 
 void HydroMean::new_step()
 {
   fluid->new_step();
   find_strain(strain);
+  rate_before = rate;
+  rate = find_rate();
+  find_dragged();
 }
 
 bool HydroMean::pull(int i, Pull &p) const
@@ -70,13 +75,27 @@ void HydroMean::stresslet(int i, double *five) const
   for (int k = 0; k < 5; k++) five[k] = factor * strain[k];
 }
 
-double HydroMean::stresslet_heat() const
+void HydroMean::sum_stresslets(double *five) const
 {
-  double square = 0.0, cubes = 0.0;
+  const double factor = Fluid_NS::straining(fluid->viscosity_now(), 1.0) * cubes();
+  for (int k = 0; k < 5; k++) five[k] = factor * strain[k];
+}
+
+double HydroMean::find_rate() const
+{
+  double square = 0.0;
   for (const double e : strain) square += e * e;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & fix->groupbit) cubes += atom->radius[i] * atom->radius[i] * atom->radius[i];
-  return -Fluid_NS::straining(fluid->viscosity_now(), 1.0) * cubes * square;
+  return -Fluid_NS::straining(fluid->viscosity_now(), 1.0) * square;
+}
+
+double HydroMean::cubes() const
+{
+  const int *mask = atom->mask, groupbit = fix->groupbit, number = atom->nlocal;
+  const double *radius = atom->radius;
+  double sum = 0.0;
+  for (int i = 0; i < number; i++)
+    if (mask[i] & groupbit) sum += radius[i] * radius[i] * radius[i];
+  return sum;
 }
 
 double HydroMean::phi()

@@ -24,8 +24,16 @@ class HydroMean : public HydroLevel {
   void new_step() override;
   bool pull(int i, Pull &) const override;
   void stresslet(int i, double *five) const override;
-  double stresslet_heat() const override;
+  void sum_stresslets(double *five) const override;
+  double stresslet_heat() const override { return rate * cubes(); }
+  double mean_stresslet_heat() const override { return 0.5 * (rate_before + rate) * cubes(); }
   double phi() override;
+
+ private:
+  double rate = 0.0, rate_before = 0.0;    // heat of the stresslets over cubes()
+
+  double cubes() const;    // of the radii of the particles of this rank, summed up
+  double find_rate() const;
 };
 
 }    // namespace LAMMPS_NS

@@ -12,6 +12,7 @@
 #include "atom.h"
 #include "domain.h"
 #include "fix_hydro_field.h"
+#include "hydro_hold.h"
 #include "hydro_precondition.h"
 #include "suspension_host.h"
 
@@ -50,17 +51,26 @@ void HydroPreconditioner::prepare(const HydroField &field, double mean_radius)
 }
 
 /* ----------------------------------------------------------------------
+   what makes a density of what is spread and interpolated, times the volume of the cell
+------------------------------------------------------------------------- */
+
+double HydroPreconditioner::density_factor(const WaveVector &wave) const
+{
+  const Hydro_NS::Lattice &grid = waves.lattice();
+  const double t = spline_wave(wave.number[0], grid.nx) * spline_wave(wave.number[1], grid.ny) *
+      spline_wave(wave.number[2], grid.nz);
+  return static_cast<double>(grid.points()) / (t * t);
+}
+
+/* ----------------------------------------------------------------------
    the density of resistance about a sphere is that of the whole cell if all are alike
 ------------------------------------------------------------------------- */
 
 void HydroPreconditioner::find_weights(double mean_radius, double resistance)
 {
-  const Hydro_NS::Lattice &grid = waves.lattice();
   const Screening screening{fraction};
   const auto on_grid = [&](const WaveVector &wave) {
-    const double t = spline_wave(wave.number[0], grid.nx) * spline_wave(wave.number[1], grid.ny) *
-        spline_wave(wave.number[2], grid.nz);
-    return static_cast<double>(grid.points()) / (t * t * resistance);
+    return density_factor(wave) / resistance;
   };
   waves.set_response([&](const WaveVector &wave) {
     const double f = on_grid(wave) * screening.smoothing(std::sqrt(wave.square) * mean_radius);
@@ -79,6 +89,38 @@ void HydroPreconditioner::find_weights(double mean_radius, double resistance)
     const WaveFactors f = screening.factors(std::sqrt(wave.square) * mean_radius);
     return WaveFactors{on_grid(wave) * f.across, on_grid(wave) * f.along};
   });
+}
+
+/* ----------------------------------------------------------------------
+   size of a sphere: the mean by volume
+------------------------------------------------------------------------- */
+
+std::vector<double> HydroPreconditioner::find_neighborhoods()
+{
+  const Hydro_NS::Lattice &grid = waves.lattice();
+  double mine[2] = {}, all[2];
+  for (const Member &m : members) {
+    const double volume = Suspension_NS::particle_volume(domain, atom->radius[m.atom]);
+    mine[0] += volume;
+    mine[1] += volume * atom->radius[m.atom];
+  }
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  const double size = all[0] > 0.0 ? all[1] / all[0] : 0.0;
+  waves.set_response([&](const WaveVector &wave) {
+    const double f =
+        density_factor(wave) / grid.volume() * neighborhood(std::sqrt(wave.square) * size);
+    return WaveFactors{f, f};
+  });
+  std::fill(waves.field.begin(), waves.field.end(), 0.0);
+  for (const Member &m : members)
+    spread(m.spline, gradients, waves.brick(),
+           {{Suspension_NS::particle_volume(domain, atom->radius[m.atom]), 0.0, 0.0}, {}},
+           waves.field.data());
+  waves.solve();
+  std::vector<double> found;
+  for (const Member &m : members)
+    found.push_back(interpolate(m.spline, gradients, waves.brick(), waves.field.data()).velocity.x);
+  return found;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -25,7 +25,8 @@ class HydroPreconditioner : protected Pointers {
 
   // the particles that the field has prepared
   void prepare(const HydroField &, double mean_radius);
-  double phi() const { return fraction; }    // their volume fraction
+  double phi() const { return fraction; }      // their volume fraction
+  std::vector<double> find_neighborhoods();    // that about each of the particles of the field
 
   // NUMBERS of each particle of this rank, and of others 0
   void apply(const double *motions, double *loads);
@@ -46,6 +47,7 @@ class HydroPreconditioner : protected Pointers {
   std::vector<Member> members;
   double fraction;
 
+  double density_factor(const Hydro_NS::WaveVector &) const;
   void find_weights(double mean_radius, double resistance);
 };
 

@@ -17,8 +17,8 @@ namespace LAMMPS_NS {
 // What the arguments of fix hydro grid say.
 struct HydroSettings {
   HydroField::Settings field;
-  double strain = 0.01;    // between two solutions
-  int every = 0;           // steps between them instead; 0: by strain
+  double strain = 0.0025;    // between two solutions
+  int every = 0;             // steps between them instead; 0: by strain
   double tolerance = 0.01;
   double hold[2] = {};    // factors of the drag between them; 0: by the volume fraction
 };

@@ -77,9 +77,23 @@ void HydroGrid::solve(double tolerance)
   const Hydro_NS::Hold automatic = Hydro_NS::default_hold(state.phi);
   state.translation = settings->hold[0] > 0.0 ? settings->hold[0] : automatic.translation;
   state.rotation = settings->hold[1] > 0.0 ? settings->hold[1] : automatic.rotation;
+  hold_each(settings->hold[0] > 0.0);
   state.solutions += 1.0;
   state.step = static_cast<double>(update->ntimestep);
   state.strain = 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   where spheres gather they resist more than in the mean of the cell
+------------------------------------------------------------------------- */
+
+void HydroGrid::hold_each(bool given)
+{
+  const std::vector<int> &particles = field->particles();
+  const std::vector<double> about = given ? std::vector<double>(particles.size(), 0.0)
+                                          : preconditioner->find_neighborhoods();
+  for (std::size_t n = 0; n < particles.size(); n++)
+    held[particles[n]][HOLD] = given ? 0.0 : Hydro_NS::default_hold(about[n]).translation;
 }
 
 /* ----------------------------------------------------------------------

@@ -21,6 +21,8 @@
 
 #include "fluid_drag.h"
 
+#include <cmath>
+
 namespace LAMMPS_NS::Hydro_NS {
 
 using Lubcontact_NS::Vec3;
@@ -33,6 +35,14 @@ struct Hold {
 inline Hold default_hold(double phi)
 {
   return {1.0 + 32.0 * phi, 2.0};
+}
+
+// The volume fraction about a sphere is that of a Gaussian, so wide that single neighbors do not
+// matter and so narrow that it finds a cloud of spheres. Of a wave, k times the size of a sphere:
+inline double neighborhood(double k)
+{
+  static constexpr double DEVIATION = 2.0;
+  return std::exp(-0.5 * DEVIATION * DEVIATION * k * k);
 }
 
 inline Fluid_NS::Drag held_drag(const Hold &hold, double viscosity, double radius)

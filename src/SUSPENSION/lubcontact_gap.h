@@ -42,7 +42,7 @@ struct Gap {
   double bond = 0.0;    // ADHESION: the asperities hold
 };
 
-// phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s), |z| < 300.
+// phi(z) = integral_0^1 exp(-z s) ds and the mean of s^2 under the weight exp(-z s), z > -300.
 struct ExponentialMean {
   double phi;
   double mean_s2;
@@ -72,7 +72,7 @@ LUBCONTACT_FN inline ExponentialMean exponential_mean(double z)
   const bool series = std::fabs(z) < NEAR;
   // compilers divide by both sides of a choice: the closed form is never taken where it is 0/0
   const double far = std::copysign(larger(std::fabs(z), NEAR), z);
-  const double e = exponential(-far), lost = 1.0 - e;
+  const double e = exponential(larger(-far, -300.0)), lost = 1.0 - e;
   const double phi = polynomial<PhiSeries>(-z), psi = polynomial<PsiSeries>(-z);
   const double inverse = 1.0 / (series ? phi : far * far * lost);    // one division for all
   const double closed = far * lost * lost * inverse;
@@ -137,6 +137,13 @@ LUBCONTACT_FN inline double gap_exponential_any(double y0, double r0, double r1,
   return -log_add_exp(-0.5 * steps * (r0 + r1) - y0, std::log(A * steps) + ln_I);
 }
 
+// How far D may be from 0 in the usual case. A film that relaxes within the step, as between
+// spheres far from each other, sees only its end, where s is about 1/x.
+LUBCONTACT_FN inline double largest_change(double x)
+{
+  return x > 30.0 ? smaller(1e-4 * x * x, 0.5) : 1e-2;
+}
+
 // The same where nothing can overflow, which is the usual case: u0/u1 = exp(-x) + A steps I u0.
 // Branch-free; the result is void if usual becomes false, and nothing overflows on the way to it.
 LUBCONTACT_FN inline Gap gap_exponential_usual(const Gap &old, double r0, double r1, double A,
@@ -144,13 +151,14 @@ LUBCONTACT_FN inline Gap gap_exponential_usual(const Gap &old, double r0, double
 {
   const double x = 0.5 * steps * (r0 + r1);
   const double change = 0.5 * steps * (r1 - r0);
-  usual =
-      usual & (std::fabs(x) < 30.0) & (std::fabs(change) < 1e-2) & (std::fabs(old.ln_u) < 300.0);
+  const double thinnest = x > 30.0 ? -20.0 : -300.0;    // beyond, exp(-x) counts to the last
+  usual = usual & (x > -30.0) & (x < 1e8) & (std::fabs(change) < largest_change(x)) &
+      (old.ln_u > thinnest) & (old.ln_u < 300.0);
   const double D = usual ? change : 0.0;
   const ExponentialMean m = exponential_mean(usual ? x + D : 0.0);
   const double q = D * m.mean_s2;
   const double exp_q = 1.0 + q * (1.0 + q * (1.0 / 2 + q / 6));    // to 4e-10 at |q| < 1e-2
-  const double exp_D = polynomial<ExpSeries<6>>(D);
+  const double exp_D = polynomial<ExpSeries<6>>(D);    // where D is larger exp(-x) counts no more
   const double ratio = m.exp_minus_z * exp_D + A * steps * m.phi * exp_q * old.u_a;
   return {old.u_a / ratio, old.ln_u - logarithm(ratio)};
 }

@@ -18,8 +18,15 @@
 #include "lubcontact_tally.h"
 
 #include <functional>
+#include <vector>
 
 namespace LAMMPS_NS {
+
+// A pair that has begun to act (1) in a step, or ceased to (-1).
+struct LubcontactChange {
+  int i, j;
+  double number;
+};
 
 // What a step of the loop works on. The loop owns nothing and knows no pair style.
 struct LubcontactStep {
@@ -28,6 +35,7 @@ struct LubcontactStep {
   const Lubcontact_NS::Film &film;
   bool euler;        // integrator of the gap
   double *virial;    // of the cell, to be set; null: nobody asks
+  std::vector<LubcontactChange> *changes;    // to be added to, of pairs with a history; likewise
 
   // energy and virial of the atoms, null: nobody asks: i, j, energy, force on i, x_i - x_j
   std::function<void(int, int, double, const Lubcontact_NS::Vec3 &, const Lubcontact_NS::Vec3 &)>

@@ -59,6 +59,8 @@ template <class E> class LubcontactLoop : protected Pointers {
   void run();
 
  private:
+  template <bool NOTED> void run_through();
+
   static constexpr int SIZE = E::HISTORY_SIZE;
   const LubcontactStep &step;
   const Lubcontact_NS::Film &film;
@@ -85,6 +87,18 @@ template <class E> class LubcontactLoop : protected Pointers {
 
 template <class E> void LubcontactLoop<E>::run()
 {
+  if (SIZE && step.changes)
+    run_through<true>();
+  else
+    run_through<false>();
+  flush();
+  if (step.virial)
+    for (int n = 0; n < 6; n++)
+      step.virial[n] = std::accumulate(queue.virial[n], queue.virial[n] + Batch::WIDTH, 0.0);
+}
+
+template <class E> template <bool NOTED> void LubcontactLoop<E>::run_through()
+{
   const bool guard = update->whichflag != 2;    // a minimization may separate anything
   const NeighList *list = step.pairs.list();
   LubcontactHistory &history = step.pairs.history();
@@ -110,6 +124,7 @@ template <class E> void LubcontactLoop<E>::run()
       const int jtype = type[j];
       const double a = range.acting(rsq, radius[j], jtype, jj);
       if (a == 0.0) {
+        if (NOTED && known[jj]) step.changes->push_back({i, j, -1.0});
         if (SIZE) known[jj] = 0;
         continue;
       }
@@ -129,15 +144,12 @@ template <class E> void LubcontactLoop<E>::run()
       if (SIZE) {
         queue.history[l] = histories + SIZE * jj;
         queue.first[l] = !known[jj];
+        if (NOTED && queue.first[l]) step.changes->push_back({i, j, 1.0});
         known[jj] = 1;
       }
       if (queue.n == Batch::WIDTH) flush();
     }
   }
-  flush();
-  if (step.virial)
-    for (int n = 0; n < 6; n++)
-      step.virial[n] = std::accumulate(queue.virial[n], queue.virial[n] + Batch::WIDTH, 0.0);
 }
 
 /* ----------------------------------------------------------------------

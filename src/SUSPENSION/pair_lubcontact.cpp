@@ -8,6 +8,7 @@
 ------------------------------------------------------------------------- */
 
 #include "pair_lubcontact.h"
+#include "pair_lubcontact_count.h"
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -63,8 +64,8 @@ PairLubcontact::PairLubcontact(LAMMPS *lmp) :
     Pair(lmp), given(new Lubcontact_NS::Settings()), viscosity_index(-1),
     coeffs(new LubcontactTypeCoeffs(lmp)), film(new Lubcontact_NS::Film()),
     pairs(new LubcontactPairs(lmp)), sums(new LubcontactTally(lmp)),
-    instance(new LubcontactInstance()), longest(0.0), dt_limit(0.0), dt_limit_mass(0.0),
-    reported(false), warned_dt(false)
+    instance(new LubcontactInstance()), longest(0.0), counted(new PartnerCount()), dt_limit(0.0),
+    dt_limit_mass(0.0), reported(false), warned_dt(false)
 {
   if (lmp->citeme) lmp->citeme->add(CITE_LUBCONTACT);
   single_enable = 1;
@@ -141,6 +142,7 @@ void PairLubcontact::compute(int eflag, int vflag)
                       *film,
                       given->euler,
                       vflag_global ? cell_virial : nullptr,
+                      counted->of_next_step(neighbor->ago == 0),
                       nullptr,
                       nullptr,
                       eflag_either != 0};
@@ -190,6 +192,7 @@ void PairLubcontact::init_style()
   max_radius = lubcontact_checks::find_max_radius(lmp);
   pairs->request_ghosts(*given, *std::max_element(max_radius.begin(), max_radius.end()));
   longest = 0.0;    // init_one() comes next
+  *counted = {};
   sums->find_clients();
 }
 
@@ -413,5 +416,6 @@ void *PairLubcontact::extract(const char *name, int &dim)
 double PairLubcontact::memory_usage()
 {
   return Pair::memory_usage() + coeffs->memory_usage() + pairs->memory_usage() +
-      sums->memory_usage() + static_cast<double>(of_partners.capacity() * sizeof(double));
+      sums->memory_usage() + counted->memory_usage() +
+      static_cast<double>(of_partners.capacity() * sizeof(double));
 }

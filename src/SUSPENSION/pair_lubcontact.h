@@ -33,6 +33,7 @@ struct Settings;
 
 namespace LAMMPS_NS {
 struct LubcontactInstance;
+struct PartnerCount;
 class LubcontactPairs;
 class LubcontactTally;
 class LubcontactTypeCoeffs;
@@ -80,10 +81,9 @@ class PairLubcontact : public Pair {
                                      const Lubcontact_NS::Load &)>;
   void visit_pairs(const Visitor &) const;
 
-  // of each particle, ghosts included: how many others are in range, once the forces of a step are
-  // known; stiffness of their contacts as lubcontact_stiffness.h has it, spin saying how easily
-  // particles turn
-  void count_partners(std::vector<double> &);
+  // of each particle: how many others are in range, once the forces of a step are known; stiffness
+  // of their contacts as lubcontact_stiffness.h has it, spin saying how easily particles turn
+  const std::vector<double> &count_partners();
   void sum_stiffness(double spin, std::vector<double> &);
 
   const LubcontactTally &tally() const { return *sums; }    // stress and power by origin
@@ -107,6 +107,7 @@ class PairLubcontact : public Pair {
   std::vector<double> max_radius;     // by type
   double longest;                     // distance of centers at which the style acts
   std::vector<double> of_partners;    // sum over the partners of each atom
+  std::unique_ptr<PartnerCount> counted;
   double dt_limit, dt_limit_mass;
   bool reported;     // the table of this run has been printed
   bool warned_dt;    // that the step exceeds its limit, in this run
@@ -115,6 +116,8 @@ class PairLubcontact : public Pair {
   void check_variable();
   void update_viscosity();
   double sum_over_partners(double spin);
+  void count_all_partners();
+  void count_changes();
 };
 
 }    // namespace LAMMPS_NS

@@ -10,6 +10,7 @@
 // Sums over the partners of each particle.
 
 #include "pair_lubcontact.h"
+#include "pair_lubcontact_count.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -53,11 +54,25 @@ double PairLubcontact::sum_over_partners(double spin)
   return number;
 }
 
+/* ---------------------------------------------------------------------- */
+
+const std::vector<double> &PairLubcontact::count_partners()
+{
+  if (counted->known)
+    count_changes();
+  else
+    count_all_partners();
+  counted->changes.clear();
+  counted->asked = true;
+  counted->known = pairs->history().size() > 0;
+  return counted->number;
+}
+
 /* ----------------------------------------------------------------------
    the loop of the forces has marked the pairs that act, if they have a history
 ------------------------------------------------------------------------- */
 
-void PairLubcontact::count_partners(std::vector<double> &sum)
+void PairLubcontact::count_all_partners()
 {
   of_partners.assign(atom->nlocal + atom->nghost, 0.0);
   const NeighList *list = pairs->list();
@@ -80,7 +95,30 @@ void PairLubcontact::count_partners(std::vector<double> &sum)
       of_partners[i] += mine;
     }
   if (force->newton_pair) comm->reverse_comm(this);
-  sum.swap(of_partners);
+  counted->number.swap(of_partners);
+}
+
+/* ----------------------------------------------------------------------
+   ranks tell each other of ghosts only in steps in which there is something to tell
+------------------------------------------------------------------------- */
+
+void PairLubcontact::count_changes()
+{
+  int mine = 0, any = 0;
+  for (const LubcontactChange &c : counted->changes) {
+    counted->number[c.i] += c.number;
+    counted->number[c.j] += c.number;
+    if (c.j >= atom->nlocal) mine = 1;
+  }
+  if (!force->newton_pair) return;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (!any) return;
+
+  of_partners.assign(atom->nlocal + atom->nghost, 0.0);
+  for (const LubcontactChange &c : counted->changes)
+    if (c.j >= atom->nlocal) of_partners[c.j] += c.number;
+  comm->reverse_comm(this);
+  for (int i = 0; i < atom->nlocal; i++) counted->number[i] += of_partners[i];
 }
 
 void PairLubcontact::sum_stiffness(double spin, std::vector<double> &sum)

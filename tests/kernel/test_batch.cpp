@@ -106,5 +106,6 @@ TEST(Batch, SaysWhichStepsAreNotUsual)
   EXPECT_FALSE(is_usual(0.1, 0.3, 0.1, 1e-2, f));                                         // far
   EXPECT_FALSE(is_usual(1e-200, 0.1, 0.1, 1e-4, f));                                      // thin
   EXPECT_FALSE(is_usual(0.1, 0.1, 0.1, 1e-4, make_film(1e-20, 0.5, Range::CUT, 0.6)));    // dry
-  EXPECT_FALSE(is_usual(0.1, 0.4, 0.4, 1.0, f));                                          // long
+  EXPECT_TRUE(is_usual(0.1, 0.4, 0.4, 1.0, f));                                           // long
+  EXPECT_FALSE(is_usual(0.1, -0.4, -0.4, 1.0, f));    // the same, pressed
 }

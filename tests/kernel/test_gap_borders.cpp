@@ -138,11 +138,19 @@ TEST(LogGaussianIntegral, IsExactWhereverTheGaussianIsCut)
       }
 }
 
-TEST(ExponentialScheme, UsualStepsEndAtTheirThreeBounds)
+TEST(ExponentialScheme, UsualStepsEndAtTheirBounds)
 {
+  EXPECT_TRUE((Step{-3.0, -29.9, 0.0, 1.5, 2.0}.is_usual()));
+  EXPECT_FALSE((Step{-3.0, -30.1, 0.0, 1.5, 2.0}.is_usual()));
+  EXPECT_TRUE((Step{-19.9, 30.1, 0.0, 1.5, 2.0}.is_usual()));
+  EXPECT_FALSE((Step{-20.1, 30.1, 0.0, 1.5, 2.0}.is_usual()));
+  EXPECT_TRUE((Step{-3.0, 0.99e8, 0.0, 1.5, 2.0}.is_usual()));
+  EXPECT_FALSE((Step{-3.0, 1.01e8, 0.0, 1.5, 2.0}.is_usual()));
   for (const double sign : SIGNS) {
-    EXPECT_TRUE((Step{-3.0, sign * 29.9, 0.0, 1.5, 2.0}.is_usual()));
-    EXPECT_FALSE((Step{-3.0, sign * 30.1, 0.0, 1.5, 2.0}.is_usual()));
+    EXPECT_TRUE((Step{-3.0, 40.0, sign * 0.159, 1.5, 2.0}.is_usual()));
+    EXPECT_FALSE((Step{-3.0, 40.0, sign * 0.161, 1.5, 2.0}.is_usual()));
+    EXPECT_TRUE((Step{-3.0, 100.0, sign * 0.499, 1.5, 2.0}.is_usual()));
+    EXPECT_FALSE((Step{-3.0, 100.0, sign * 0.501, 1.5, 2.0}.is_usual()));
     EXPECT_TRUE((Step{-3.0, 0.1, sign * 0.00999, 1.5, 2.0}.is_usual()));
     EXPECT_FALSE((Step{-3.0, 0.1, sign * 0.01001, 1.5, 2.0}.is_usual()));
     EXPECT_TRUE((Step{sign * 299.0, 0.1, 0.0, 1.5, 2.0}.is_usual()));
@@ -154,7 +162,8 @@ TEST(ExponentialScheme, BothPathsAreTheMeanToRoundingOnBothSidesOfTheirBorders)
 {
   // where D is largest the short series of the usual step leave q^4/24 of exp(q), q = D mean(s^2)
   for (const double y0 : {-250.0, -3.0, 1.0})
-    for (const double x : {-30.1, -29.9, -5.0, -0.3, -0.2, 0.0, 0.2, 0.3, 5.0, 29.9, 30.1})
+    for (const double x :
+         {-30.1, -29.9, -5.0, -0.3, -0.2, 0.0, 0.2, 0.3, 5.0, 29.9, 30.1, 75.0, 299.0})
       for (const double D :
            {-0.49, -0.1, -0.0101, -0.0099, -0.002, 0.0, 0.002, 0.0099, 0.0101, 0.1, 0.49})
         for (const double h : {1e-3, 1.0, 1e4}) {
@@ -173,6 +182,24 @@ TEST(ExponentialScheme, BothPathsAreTheMeanToRoundingOnBothSidesOfTheirBorders)
   // which is 4.2e-10 at most
   EXPECT_NEAR((Step{-3.0, -29.0, 0.0099, 1.7, 1.0}.taken()),
               (Step{-3.0, -29.0, 0.0099, 1.7, 1.0}.by_mean()), 4.2e-10);
+}
+
+// 10 D^2/z^4 is what the mean exponent leaves
+TEST(ExponentialScheme, AFilmThatRelaxesWithinTheStepSeesItsEnd)
+{
+  for (const double y0 : {-19.9, -3.0, 1.0})
+    for (const double x : {30.1, 60.0, 150.0, 299.0})
+      for (const double sign : SIGNS) {
+        const Step s{y0, x, sign * 0.999 * largest_change(x), 1.7, 3.0};
+        EXPECT_TRUE(s.is_usual());
+        EXPECT_NEAR(s.taken(), s.exact(), 1.1e-7) << y0 << " " << x;
+      }
+  // u = r/A at the end of the step, and what is left of the motion during it
+  for (const double x : {1e3, 1e5, 0.9e8}) {
+    const Step s{0.5, x, 0.4, 1.7, 3.0};
+    const double z = x + s.D;
+    EXPECT_NEAR(s.taken(), std::log(s.r1() / s.A) - 2.0 * s.D / (z * z), 1e-11) << x;
+  }
 }
 
 TEST(ExponentialScheme, IsExactForLargeFallsAndTheMeanForSmallOnes)

@@ -120,6 +120,18 @@ def network():
         deck.expect_close(f"{name}: stresslets", t["xy"][-1] / rate, 0.5 * ETA, rtol=1e-9)
 
 
+def coming_and_going():
+    """After many steps with the same neighbor lists: the drag is on those with few partners now."""
+    t = read(CELL / "in.cell", hydro="mean isolated 6", range="cut 0.5", flow="deform/rheometer rate 1.0 volume", steps=158, step=2e-3,
+             grid=GRID, more="lx")
+    d = deck.read_dump("cell.dump")
+    cell = np.array([[t["Lx"][-1], t["Xy"][-1], 0], [0, t["Ly"][-1], 0], [0, 0, t["Volume"][-1] / (t["Lx"][-1] * t["Ly"][-1])]])
+    number = partners(cell, np.array([d[n] for n in "xyz"]).T, d["radius"], 0.5)
+    force = np.linalg.norm([d[f"f_far[{n}]"] for n in (1, 2, 3)], axis=0)
+    deck.expect("drag where there are few partners", np.array_equal(force > 0, number < 6), np.sum(number < 6))
+    deck.expect("some of them are new", np.ptp(t["dragged"]) > 5, f"{np.min(t['dragged'])} to {np.max(t['dragged'])}")
+
+
 ROWS = [f"c_power[{m}][{n}]" for n in (1, 2) for m in range(1, 12)]
 
 
@@ -182,6 +194,7 @@ if __name__ == "__main__":
     drag()
     deck.make_state(phi=0.3)
     rounding()
+    coming_and_going()
     if SINGLE:
         network()
         balance()

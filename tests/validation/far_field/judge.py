@@ -27,6 +27,18 @@ SHOWN = [("none", "0.5"), ("grid", "1")]    # in the table of parts
 PARTS = ["contact_n", "contact_t", "film_n", "film_t", "stresslet", "syy", "cpu"]
 
 
+def state(row):
+    return tuple(row[name] for name in ("level", "range", "phi", "friction", "roughness"))
+
+
+def most_often_solved(rows):
+    """Of each state the rows with the least strain between two solutions."""
+    least = {}
+    for row in rows:
+        least[state(row)] = min(float(row["solve"]), least.get(state(row), np.inf))
+    return [row for row in rows if float(row["solve"]) == least[state(row)]]
+
+
 def merged(rows, roughness=ROUGHNESS):
     """(level, range, friction) -> phi -> mean, error and parts over the seeds."""
     found = {}
@@ -90,6 +102,20 @@ def touching(rows):
             of_laws = [law(touch) for law in (rheology.eta_chevremont, rheology.eta_boyer)]
             words = [ratio(grid[phi], law) for law in of_laws] + [ratio(alone[phi], of_laws[0]) if phi in alone else ""]
             lines.append(f"| {phi:g} | {height} | {touch:.4f} | {pm(grid[phi])} | " + " | ".join(words) + " |")
+    return lines
+
+
+def intervals(rows):
+    """Table of the states that were run with several strains between two solutions, as lines."""
+    lines = ["| phi | friction | range | roughness | strain between two solutions: relative viscosity |", "|---" * 5 + "|"]
+    groups = {}
+    for row in rows:
+        if row["level"] == "grid":
+            groups.setdefault((*state(row), row["seed"]), {})[float(row["solve"])] = row
+    for (_, reach, phi, friction, roughness, _), found in sorted(groups.items(), key=lambda item: (float(item[0][2]), item[0])):
+        if len(found) > 1:
+            words = [f"{solve:g}: {float(row['eta_r']):.2f} +- {float(row['error']):.2f}" for solve, row in sorted(found.items(), reverse=True)]
+            lines.append(f"| {phi} | {friction} | {reach} | {roughness} | " + "; ".join(words) + " |")
     return lines
 
 
@@ -159,7 +185,9 @@ def draw(found):
 
 
 def main():
-    found = merged(cases.read(HERE / "runs.csv"))
+    every = cases.read(HERE / "runs.csv")
+    rows = most_often_solved(every)
+    found = merged(rows)
     with open(HERE / "results.csv", "w", newline="", encoding="ascii") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(FIELDS)
@@ -169,7 +197,7 @@ def main():
                     writer.writerow([level, reach, f"{phi:g}", friction, f"{f['eta_r']:.4g}", f"{f['error']:.2g}"])
     frictions = sorted({key[2] for key in found}, reverse=True)
     write_tables({**{f"friction {f}": viscosities(found, f) for f in frictions}, "parts": parts(found, frictions[0]),
-                  "touching": touching(cases.read(HERE / "runs.csv")), "imposed": pressures(cases.read(HERE / "imposed.csv"))})
+                  "touching": touching(rows), "intervals": intervals(every), "imposed": pressures(cases.read(HERE / "imposed.csv"))})
     draw(found)
 
 
