@@ -38,8 +38,8 @@ def merged(rows):
         found[key] = {}
         for name in QUANTITIES:
             values, errors = (np.array(column) for column in cases.columns(seeds, name, name + "_error"))
-            known = errors[np.isfinite(errors)]
-            error = np.sqrt(np.mean(known**2) / len(values)) if len(known) else np.nan
+            errors = errors[np.isfinite(errors)]
+            error = np.sqrt(np.mean(errors**2) / len(values)) if len(errors) else np.nan
             if len(values) > 1:
                 error = np.nanmax([error, np.std(values, ddof=1) / np.sqrt(len(values))])
             found[key][name] = (values.mean(), error)
@@ -90,6 +90,11 @@ def write(found):
                 writer.writerow([f"{phi:g}", f"{friction:g}", origin, *numbers])
 
 
+def known(state):
+    """Is eta_22 above zero, so that it can be divided by?"""
+    return state["eta_22"][0] > 2 * np.nan_to_num(state["eta_22"][1])
+
+
 def two(estimate):
     return f"{estimate[0]:.4g}", f"{estimate[1]:.2g}"
 
@@ -106,7 +111,7 @@ def table_of_states(found):
         laws = [normal_viscosity.named(name, jam).eta(phi) for name in ("chevremont_22", "chevremont_22_exponential")]
         digits = 2 if state["eta_22"][0] < 20 else 1 if state["eta_22"][0] < 200 else 0
         words = [f"{friction:g}", f"{phi:g}", f"{phi / jam:.3f}", *(pm(state[name], digits) for name in ETA),
-                 *(f"{law:.{digits}f}" for law in laws), pm(state["lambda_11"]), pm(state["lambda_33"], 3),
+                 *(f"{law:.{digits}f}" for law in laws), *(pm(state[name], n) if known(state) else "" for name, n in (("lambda_11", 2), ("lambda_33", 3))),
                  f"{normal_viscosity.lambda_33_line(phi):.3f}", f"{normal_viscosity.lambda_33(phi):.3f}"]
         print("| " + " | ".join(words) + " |")
 
@@ -142,7 +147,7 @@ def table_of_origins(found, friction=0.5):
     print(f"\nfriction {friction:g}: parts of contacts and of films over sigma_22, positive is compression")
     print("| phi | contacts 11 | 22 | 33 | films 11 | 22 | 33 |")
     for (f, phi), state in found.items():
-        if f == friction:
+        if f == friction and known(state):
             scale, words = state["eta_22"][0], []
             for names in (ORIGINS[:2], ORIGINS[2:]):
                 for c in COMPONENTS:
@@ -197,7 +202,7 @@ def style(friction):
 
 
 def series(found, friction, name):
-    states = [(phi, *state[name]) for (f, phi), state in found.items() if f == friction]
+    states = [(phi, *state[name]) for (f, phi), state in found.items() if f == friction and known(state)]
     phi, mean, error = np.array(states).T
     return phi, mean, np.nan_to_num(error)
 
@@ -208,8 +213,8 @@ def draw(found, pressed):
     q = np.linspace(0.45, 0.98, 300)
     for ax, name in ((axes[0, 0], "22"), (axes[0, 1], "33")):
         for law, line in (("boyer", "-"), ("zarraga", "--")):
-            known = normal_viscosity.named(f"{law}_{name}")
-            ax.plot(q, known.eta(q * known.phi_m), color="0.6", ls=line, lw=1, label=f"{law.capitalize()}, of $\\phi/\\phi_m$")
+            its = normal_viscosity.named(f"{law}_{name}")
+            ax.plot(q, its.eta(q * its.phi_m), color="0.6", ls=line, lw=1, label=f"{law.capitalize()}, of $\\phi/\\phi_m$")
         jam = rheology.phi_m_chevremont(0.5)
         for law, line, label in ((f"chevremont_{name}", "-", "Chevremont, eq. 9" if name == "22" else "Chevremont, eqs. 8, 9"),
                                  (f"chevremont_{name}_exponential", ":", "eq. 11" if name == "22" else "eqs. 8, 11")):
@@ -248,7 +253,8 @@ def draw_parts(found, friction=0.5):
     fig, axes = plt.subplots(2, 4, figsize=(13, 6.4))
     for column, origin in enumerate(ORIGINS):
         for c, color, fmt in (("xx", "#1f4e79", "^-"), ("yy", "#c00000", "o-"), ("zz", "#38761d", "s-")):
-            states = [(phi, *(x / state["eta_22"][0] for x in state[f"{origin}_{c}"])) for (f, phi), state in found.items() if f == friction]
+            states = [(phi, *(x / state["eta_22"][0] for x in state[f"{origin}_{c}"])) for (f, phi), state in found.items()
+                      if f == friction and known(state)]
             if states:
                 phi, mean, error = np.array(states).T
                 axes[0, column].errorbar(phi, mean, np.nan_to_num(error), fmt=fmt, color=color, ms=4, lw=0.8, label=rf"$\sigma_{{{c}}}$")
