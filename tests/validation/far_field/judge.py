@@ -23,6 +23,7 @@ LABEL = {("none", "0.5"): "films alone, to 0.5", ("mean", "0.5"): "mean, films t
          ("grid", "1"): "grid, to 1", ("grid", "2"): "grid, to 2"}
 STYLE = {("none", "0.5"): "ks--", ("mean", "0.5"): "v--", ("grid", "0.5"): "o-", ("grid", "1"): "D-", ("grid", "2"): "^-"}
 ROUGHNESS = 0.01
+SOLVE = 0.0025    # strain between two solutions; rows with more have a star
 SHOWN = [("none", "0.5"), ("grid", "1")]    # in the table of parts
 PARTS = ["contact_n", "contact_t", "film_n", "film_t", "stresslet", "syy", "cpu"]
 
@@ -54,7 +55,7 @@ def merged(rows, roughness=ROUGHNESS):
             if len(values) > 1:
                 error = np.nanmax([error, np.std(values, ddof=1) / np.sqrt(len(values))])
             parts = {name: np.mean(cases.columns(seeds, name)) for name in PARTS}
-            of_phi[phi] = {"eta_r": values.mean(), "error": error, "seeds": len(values), **parts}
+            of_phi[phi] = {"eta_r": values.mean(), "error": error, "seeds": len(values), "solve": float(seeds[0]["solve"]), **parts}
     return found
 
 
@@ -114,7 +115,7 @@ def intervals(rows):
             groups.setdefault((*state(row), row["seed"]), {})[float(row["solve"])] = row
     for (_, reach, phi, friction, roughness, _), found in sorted(groups.items(), key=lambda item: (float(item[0][2]), item[0])):
         if len(found) > 1:
-            words = [f"{solve:g}: {float(row['eta_r']):.2f} +- {float(row['error']):.2f}" for solve, row in sorted(found.items(), reverse=True)]
+            words = [f"{solve:g}: {float(row['eta_r']):.2f}" + (f" +- {float(row['error']):.2f}" if row["error"] != "nan" else "") for solve, row in sorted(found.items(), reverse=True)]
             lines.append(f"| {phi} | {friction} | {reach} | {roughness} | " + "; ".join(words) + " |")
     return lines
 
@@ -158,7 +159,8 @@ def pm(found):
     if not found:
         return ""
     digits = 3 if found["eta_r"] < 2 else 2 if found["eta_r"] < 30 else 1
-    return f"{found['eta_r']:.{digits}f}" + (f" +- {found['error']:.{digits}f}" if np.isfinite(found["error"]) else "")
+    return (f"{found['eta_r']:.{digits}f}" + (f" +- {found['error']:.{digits}f}" if np.isfinite(found["error"]) else "")
+            + (" \\*" if found["solve"] > SOLVE else ""))
 
 
 def draw(found):

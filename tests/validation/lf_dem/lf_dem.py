@@ -31,6 +31,7 @@ VARIANTS = {
     "contact at touch, film 1/(xi + 0.001)": THIN,
     "no twisting film": {"modes": "twist no"},
     "soft as LF_DEM": SOFT,
+    "drag on all, soft as LF_DEM": {"drag": "1", **SOFT},
     "all but soft": {**THIN, "drag": "1", "modes": "twist no"},
     "all but soft, St 0.0125": {**THIN, "drag": "1", "modes": "twist no", "density": "0.0125"},
 }
