@@ -1,4 +1,5 @@
 """The constants of scene_accuracy.h are those that benchmarks/accuracy_cost measured: each is fitted anew from its table."""
+import csv
 import re
 import sys
 import unittest
@@ -61,6 +62,20 @@ class Constants(unittest.TestCase):
         for key, base in (*pairs, (("strain", "left out", "squeeze"), ("strain", "base", ""))):
             off, error = suspension_laws.change(ROWS, key, base)
             self.assertIn(f"{100 * off:+.0f} +- {100 * error:.0f} %", source)
+
+    def test_far_field(self):
+        """What the adviser says is missing without it."""
+        verdicts = (ROOT / "src" / "SUSPENSION-ADVISER" / "scene_verdict.h").read_text(encoding="ascii")
+        with (ROOT / "tests" / "validation" / "far_field" / "results.csv").open(encoding="ascii", newline="") as file:
+            eta = {(row["level"], row["range"], float(row["phi"])): float(row["eta_r"]) for row in csv.DictReader(file) if row["friction"] == "0.5"}
+        phis, lows = (list(map(float, re.search(rf"double {name}\[NUM\] = \{{(.*?)\}}", verdicts).group(1).split(","))) for name in ("PHI", "LOW"))
+        for phi, low in zip(phis, lows):
+            self.assertAlmostEqual(low, 1 - eta["none", "0.5", phi] / eta["grid", "1", phi], delta=0.0051)
+        sources = re.sub(r'"\s*"', "", verdicts)
+        for level, words in (("none", "films alone"), ("mean", "level mean")):
+            text = re.search(rf"far_field: {words} (.*?)\"", sources).group(1)
+            for percent, phi in re.findall(r"(\d+) %[a-z ]*at (0\.\d+)", text):
+                self.assertAlmostEqual(float(percent), 100 * (1 - eta[level, "0.5", float(phi)] / eta["grid", "1", float(phi)]), delta=0.51)
 
     def test_options_are_within_what_was_run(self):
         laws = suspension_laws.laws(ROWS)

@@ -176,11 +176,11 @@ deck.expect_close("dilute: phi", float(re.search(r"phi (\S+), N", scene.text).gr
 deck.expect("dilute: input lines", "  fix far all hydro mean\n" in scene.lines and "drag/background" not in scene.lines and "roughness 0.01 friction none\n" in scene.lines,
             scene.lines)
 
-# between: the viscosity is too low, by what examples/shear_rate has measured at 0.40 and 0.30
+# between: the viscosity is too low, by what tests/validation/far_field has measured
 scene = Advice(scale=1.08)
 scene.expect("semi-dilute", drag="needed", far_hydrodynamics="needed")
 low = float(re.search(r"viscosity about (\S+) % low with films alone: phi", scene.text).group(1))
-deck.expect_close("semi-dilute: viscosity too low by", low, np.interp(phi / 1.08**3, [0.30, 0.40], [40, 20]), atol=0.3)
+deck.expect_close("semi-dilute: viscosity too low by", low, np.interp(phi / 1.08**3, [0.3, 0.35, 0.4, 0.45], [40, 35, 22, 12]), atol=0.3)
 
 # inertial, and so much that the films are idle
 Advice(density=5.0).expect("inertial", particle_inertia="needed", squeeze_film="needed")
