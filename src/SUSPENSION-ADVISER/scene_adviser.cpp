@@ -91,7 +91,7 @@ void SceneAdviser::take(const Keyword &keyword, int iarg, char **arg)
   if (keyword.value == &scene.pressure) measured.used = false;
   if (keyword.value == &scene.critical) {    // of all contacts
     scene.critical_max = value;
-    scene.rubs_always = false;
+    scene.rubs_always = scene.critical_law == Scene_NS::PLASTIC_LAW;
   }
   if (keyword.value == &tolerance && value >= 1.0)
     error->all(FLERR, iarg + 1,

@@ -176,6 +176,14 @@ inline double softest(const Lubcontact_NS::Law &law)
   return least;
 }
 
+inline CriticalLaw critical_law(Lubcontact_NS::FrictionLaw law)
+{
+  using Lubcontact_NS::FrictionLaw;
+  if (law == FrictionLaw::BRIZMER) return PLASTIC_LAW;
+  if (law == FrictionLaw::RAMP) return RAMP_LAW;
+  return law == FrictionLaw::SHIFT ? SHIFT_LAW : STEP_LAW;
+}
+
 // Of several types the softest, the smoothest and the roughest, and the strongest forces; of
 // critical loads both ends. The radius of the scene must be known.
 inline void describe_law(const Lubcontact_NS::Law &law, Scene &s)
@@ -192,8 +200,8 @@ inline void describe_law(const Lubcontact_NS::Law &law, Scene &s)
     if (forces.critical > 0.0) {
       s.critical = smaller(s.critical, forces.critical);
       s.critical_max = larger(s.critical_max, forces.critical);
-      if (c.law == FrictionLaw::RAMP) s.critical_law = RAMP_LAW;
-      if (c.law == FrictionLaw::SHIFT && s.critical_law != RAMP_LAW) s.critical_law = SHIFT_LAW;
+      s.critical_law = std::max(s.critical_law, critical_law(c.law));
+      s.rubs_always = s.rubs_always || c.law == FrictionLaw::BRIZMER;
     } else if (c.friction > 0.0) {
       s.rubs_always = true;
     }

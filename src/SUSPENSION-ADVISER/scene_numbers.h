@@ -35,9 +35,8 @@ inline double rounded(double x)
   return x == 0.0 ? 0.0 : power < 0.0 ? std::round(x * unit) / unit : std::round(x / unit) * unit;
 }
 
-// laws of friction with a critical load, by how much of it they keep where all contacts are
-// frictional
-enum CriticalLaw { STEP_LAW, SHIFT_LAW, RAMP_LAW };
+// laws of friction with a load, by how much of the friction they keep below it
+enum CriticalLaw { STEP_LAW, SHIFT_LAW, RAMP_LAW, PLASTIC_LAW };
 
 // What is known of a scene, in one consistent system of units. Pressure: of the particles.
 struct Scene {
@@ -51,7 +50,7 @@ struct Scene {
   double repulsion = UNKNOWN, adhesion = UNKNOWN, critical = UNKNOWN;    // forces of the surfaces
   double critical_max = UNKNOWN;    // of pairs of types with several; unknown: the same
   CriticalLaw critical_law = STEP_LAW;
-  bool rubs_always = false;          // pairs of types with friction but no critical load
+  bool rubs_always = false;          // pairs of types with friction at any load
   double thermal = UNKNOWN;          // kT
   double fluid_density = UNKNOWN;    // mass/volume
   double dt = UNKNOWN, dt_limit = UNKNOWN;
@@ -126,6 +125,12 @@ inline double packing_gain(double spread, double skew)
       (0.0658 * (spread - NARROW) + 0.0857 * std::fmax(skew, 0.0) * spread * spread) / 0.634;
 }
 
+// the law brizmer has no largest coefficient
+inline double largest_friction(const Scene &s)
+{
+  return s.critical_law == PLASTIC_LAW ? HUGE_VAL : s.friction;
+}
+
 // where the scene jams for certain: no contact that has a critical load is frictional,
 // sizes pack well
 inline double loosest_jamming(const Scene &s)
@@ -151,7 +156,7 @@ inline Bounds steady_pressure(const Scene &s)
     const double Iv = viscous_number(s.phi, phi_jam);
     return known(Iv) ? viscous / Iv : HUGE_VAL;
   };
-  const double high = pressure(jamming_fraction(s.friction));
+  const double high = pressure(jamming_fraction(largest_friction(s)));
   const double low = pressure(loosest_jamming(s));
   return std::isinf(low) ? Bounds{} : Bounds{low, high};
 }
@@ -162,9 +167,9 @@ inline Numbers numbers(const Scene &s)
   const double a = s.radius, d = 2.0 * a;
   // the laws of spheres: discs jam elsewhere
   if (s.dimension == 3.0 && known(s.friction)) {
-    n.phi_jam = jamming_fraction(s.friction);
+    n.phi_jam = jamming_fraction(largest_friction(s));
     n.crowding = s.phi / n.phi_jam;
-    n.friction_gain = friction_gain(s.phi, s.friction);
+    n.friction_gain = friction_gain(s.phi, largest_friction(s));
   }
 
   const double rate = std::fabs(s.rate), viscous = s.viscosity * rate;

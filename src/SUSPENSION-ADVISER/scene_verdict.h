@@ -229,7 +229,7 @@ inline Verdict judge_critical(const Scene &s, const Numbers &n)
   if (s.critical_law != STEP_LAW)
     return {CRITICAL_LOAD, NEEDED,
             "P a^2/F = " + show(n.critical_min) +
-                "; the laws shift and ramp act at every load, where step does not"};
+                "; the laws shift, ramp and brizmer act at every load, where step does not"};
   return above(CRITICAL_LOAD, n.critical_min, CRITICAL_HIGH, NOT_NEEDED, NEEDED);
 }
 

@@ -27,6 +27,8 @@ struct Batch {
   Lanes x[3], v[3], omega_i[3], omega_j[3], radius_i, radius_j, a;
   Lanes g, asperity, alpha, eps_a, ln_eps, kt, mu;
   Lanes least, shift, per_ramp;      // THRESHOLD
+  Lanes per_plastic;                 // THRESHOLD, where
+  bool plastic;                      // some pair has the law of friction brizmer
   Lanes release_a, ln_release;       // ADHESION
   Lanes repulsion, per_screening;    // REPULSION
   Lanes column[NUM_LAW_COLUMNS + 1];
@@ -120,8 +122,7 @@ template <class E> inline void step_lanes(Batch &b, const Film f, double dt)
   for (int l = 0; l < Batch::WIDTH; l++) step_lane<E>(b, l, f, dt);
 }
 
-// Not for backward Euler.
-template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
+template <class E> inline void step_usual(Batch &b, const Film &f, double dt)
 {
   if (E::squeeze && f.viscosity == 0.0) {    // dry, all of them
     for (double &usual : b.usual) usual = 0.0;
@@ -134,6 +135,27 @@ template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
         b, {f.viscosity, f.reach_a, 0.0, f.shear_end, f.roll_end, f.twist_end, f.roll_coeff}, dt);
   else
     step_lanes<E>(b, f, dt);
+}
+
+// Does the present gap leave room for friction?
+template <class E> inline bool may_rub(const Batch &b, int l)
+{
+  if constexpr (E::gap_history) return b.history[E::GAP_SLOT][l] < b.eps_a[l];
+  return true;
+}
+
+// Not for backward Euler. A step is not usual if a contact rubs by the law brizmer: in the vectors
+// it would cost those who have another law, or take instances of its own.
+template <class E> inline void step_batch(Batch &b, const Film &f, double dt)
+{
+  const bool plastic = E::threshold && b.plastic;
+  bool rubs[Batch::WIDTH] = {};
+  if (plastic)
+    for (int l = 0; l < Batch::WIDTH; l++) rubs[l] = b.per_plastic[l] > 0.0 && may_rub<E>(b, l);
+  step_usual<WithoutPlastic<E>>(b, f, dt);
+  if (plastic)
+    for (int l = 0; l < Batch::WIDTH; l++)
+      if (rubs[l] || (b.per_plastic[l] > 0.0 && may_rub<E>(b, l))) b.usual[l] = 0.0;
 }
 
 template <class E>
@@ -150,8 +172,9 @@ template <class E> inline void stresslet_lane(Batch &b, int l, const Film &f)
   const PairCoeffs c = coeffs_of_lane<E>(b, l);
   double history[E::HISTORY_SIZE];
   for (int m = 0; m < E::HISTORY_SIZE; m++) history[m] = b.history[m][l];
+  using Vectors = WithoutPlastic<E>;    // whether it rubs, not how much
   const FilmStresslet both =
-      present_stresslet<E>(c, f, g, pair_load<E>(c, f, g, history), history);
+      present_stresslet<Vectors>(c, f, g, pair_load<Vectors>(c, f, g, history), history);
   const SymmetricTensor s = both.normal + both.tangential;
   b.stresslet[0][l] = s.xx;
   b.stresslet[1][l] = s.yy;

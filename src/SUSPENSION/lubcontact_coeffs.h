@@ -130,6 +130,12 @@ inline TypeCoeffs mixed(const TypeCoeffs &one, const TypeCoeffs &other)
   return both;
 }
 
+// Does a law have a load besides its coefficient?
+inline bool has_load(FrictionLaw law)
+{
+  return law > FrictionLaw::COULOMB;
+}
+
 // What is wrong with coefficients that a user or fix adapt has set, and the cure; empty: nothing.
 inline std::string complaint(const TypeCoeffs &c)
 {
@@ -137,8 +143,11 @@ inline std::string complaint(const TypeCoeffs &c)
     return "adhesion acts between asperities, but their roughness is 0: give them one > 0";
   if (c.law == FrictionLaw::NONE && c.friction > 0.0)
     return "there is no friction that could be changed: give pair_coeff friction coulomb 0 first";
-  if (c.law <= FrictionLaw::COULOMB && c.critical > 0.0)
+  if (!has_load(c.law) && c.critical > 0.0)
     return "there is no critical load that could be changed: give pair_coeff friction clm first";
+  if (c.law == FrictionLaw::BRIZMER && c.friction == 0.0)
+    return "the coefficient of friction brizmer must be > 0, because small ones do not make a "
+           "contact frictionless: give pair_coeff friction none";
   if (c.screening == 0.0 && c.repulsion > 0.0)
     return "there is no repulsion that could be changed: give pair_coeff repulsion 0 with a "
            "screening length first";

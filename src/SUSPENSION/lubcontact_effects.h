@@ -98,7 +98,8 @@ template <unsigned MASK> struct Effects {
   static constexpr bool roll = MASK & ROLL;
   static constexpr bool twist = MASK & TWIST;
   static constexpr bool threshold = friction && (MASK & THRESHOLD);
-  static constexpr bool residual = false;    // see WithResidual
+  static constexpr bool plastic = threshold;    // see WithoutPlastic
+  static constexpr bool residual = false;       // see WithResidual
   static constexpr bool adhesion = MASK & ADHESION;
   static constexpr bool repulsion = MASK & REPULSION;
   static constexpr unsigned normal = MASK & (ADHESION | REPULSION);    // extends the normal mode
@@ -127,6 +128,11 @@ template <unsigned MASK> struct Effects {
 // The same with residual films (range residual), which is no bit: few have it, all with every film.
 template <class E> struct WithResidual : E {
   static constexpr bool residual = true;
+};
+
+// The same without the law brizmer, for vectors of pairs: contacts that have it go alone.
+template <class E> struct WithoutPlastic : E {
+  static constexpr bool plastic = false;
 };
 
 constexpr unsigned covering_residual(unsigned mask)

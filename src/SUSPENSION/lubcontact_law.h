@@ -85,7 +85,7 @@ inline PairCoeffs pair_coeffs(const Settings &s, const TypeCoeffs &k)
   gap.release_a = release;
   gap.ln_release = k.adhesion_a > 0.0 ? std::log(release) : gap.ln_eps;
   PairCoeffs c{{k.g, k.asperity, gap}, k.kt, k.friction};
-  c.threshold = make_threshold(k.law, k.critical);
+  c.threshold = make_threshold(k.law, k.critical, k.friction);
   for (std::size_t m = 0; m < NUM_COLUMNS; m++)
     if (COLUMNS[m].effects) c.column[law_column(m)] = k.*COLUMNS[m].value;
   if (k.screening > 0.0) c.normal.repulsion = {k.repulsion, 1.0 / k.screening};

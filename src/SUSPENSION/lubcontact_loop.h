@@ -34,6 +34,7 @@ struct LubcontactStep {
   LubcontactTally &tally;
   const Lubcontact_NS::Film &film;
   bool euler;        // integrator of the gap
+  bool plastic;      // has some pair of types the law brizmer?
   double *virial;    // of the cell, to be set; null: nobody asks
   std::vector<LubcontactChange> *changes;    // to be added to, of pairs with a history; likewise
 

@@ -87,6 +87,7 @@ template <class E> class LubcontactLoop : protected Pointers {
 
 template <class E> void LubcontactLoop<E>::run()
 {
+  queue.batch.plastic = step.plastic;
   if (SIZE && step.changes)
     run_through<true>();
   else
@@ -176,6 +177,7 @@ template <class E> void LubcontactLoop<E>::fill()
       b.least[l] = c.threshold.least;
       b.shift[l] = c.threshold.shift;
       b.per_ramp[l] = c.threshold.per_ramp;
+      if (b.plastic) b.per_plastic[l] = c.threshold.per_plastic;
     }
     if constexpr (E::adhesion) {
       b.release_a[l] = c.normal.gap.release_a;

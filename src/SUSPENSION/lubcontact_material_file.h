@@ -25,10 +25,10 @@
 namespace LAMMPS_NS::Lubcontact_NS {
 
 struct SolidFriction {
-  enum Law { UNKNOWN, NONE, COULOMB, CLM } law = UNKNOWN;
-  std::string mode;    // CLM: step, shift, ramp
+  enum Law { UNKNOWN, NONE, COULOMB, BY_LOAD } law = UNKNOWN;
+  std::vector<std::string> words;    // BY_LOAD: clm step, clm shift, clm ramp, brizmer
   double mu = 0.0;
-  double load = 0.0;    // CLM: critical load, force
+  double load = 0.0;    // BY_LOAD: critical load, force
 };
 
 // What two surfaces do to each other; negative: not known.
@@ -193,17 +193,26 @@ class MaterialParser {
       f.law = SolidFriction::COULOMB;
       f.mu = value(words, at, "coefficient of friction", true);
     } else if (law == "clm") {
-      f.law = SolidFriction::CLM;
-      f.mode = at + 1 < words.size() ? words[at + 1] : "missing";
-      if (f.mode != "step" && f.mode != "shift" && f.mode != "ramp")
-        return fail("friction clm must be step, shift or ramp, but is " + f.mode);
+      const std::string mode = at + 1 < words.size() ? words[at + 1] : "missing";
+      if (mode != "step" && mode != "shift" && mode != "ramp")
+        return fail("friction clm must be step, shift or ramp, but is " + mode);
       at++;
-      f.mu = value(words, at, "coefficient of friction", true);
-      at--;
-      f.load = value(words, at, "critical load", true);
+      by_load(f, {law, mode}, words, at, true);
+    } else if (law == "brizmer") {
+      by_load(f, {law}, words, at, false);
     } else {
-      fail("friction must be none, coulomb or clm, but is " + law);
+      fail("friction must be none, coulomb, clm or brizmer, but is " + law);
     }
+  }
+
+  void by_load(SolidFriction &f, const Words &name, const Words &words, std::size_t &at,
+               bool zero_allowed)
+  {
+    f.law = SolidFriction::BY_LOAD;
+    f.words = name;
+    f.mu = value(words, at, "coefficient of friction", zero_allowed);
+    at--;
+    f.load = value(words, at, "critical load", true);
   }
 
   void once(double &target, const Words &words, std::size_t &at, bool zero_allowed)
@@ -262,12 +271,12 @@ inline SolidFriction mix(const SolidFriction &a, const SolidFriction &b)
   if (a.law == SolidFriction::NONE || b.law == SolidFriction::NONE) return f;
   f.law = a.law > b.law ? a.law : b.law;
   f.mu = std::sqrt(a.mu * b.mu);
-  if (a.law != SolidFriction::CLM || b.law != SolidFriction::CLM) {
-    const SolidFriction &loaded = a.law == SolidFriction::CLM ? a : b;
-    f.mode = loaded.mode;
+  if (a.law != SolidFriction::BY_LOAD || b.law != SolidFriction::BY_LOAD) {
+    const SolidFriction &loaded = a.law == SolidFriction::BY_LOAD ? a : b;
+    f.words = loaded.words;
     f.load = loaded.load;
-  } else if (a.mode == b.mode) {
-    f.mode = a.mode;
+  } else if (a.words == b.words) {
+    f.words = a.words;
     f.load = std::sqrt(a.load * b.load);
   } else {
     f.law = SolidFriction::UNKNOWN;    // somebody has to say
@@ -326,8 +335,13 @@ inline std::vector<Words> surface_words(const Surface &s, double a, const UnitSc
   const SolidFriction &f = s.friction;
   if (f.law == SolidFriction::NONE) all.push_back({"friction", "none"});
   if (f.law == SolidFriction::COULOMB) all.push_back({"friction", "coulomb", to_word(f.mu)});
-  if (f.law == SolidFriction::CLM)
-    all.push_back({"friction", "clm", f.mode, to_word(f.mu), to_word(f.load / unit.force())});
+  if (f.law == SolidFriction::BY_LOAD) {
+    Words words{"friction"};
+    words.insert(words.end(), f.words.begin(), f.words.end());
+    words.push_back(to_word(f.mu));
+    words.push_back(to_word(f.load / unit.force()));
+    all.push_back(words);
+  }
   return all;
 }
 

@@ -93,6 +93,7 @@ LUBCONTACT_FN inline NormalForce normal_force_of(const PairCoeffs &c, const Film
 template <class E> LUBCONTACT_FN inline double frictional_load(const PairCoeffs &c, double contact)
 {
   if constexpr (E::adhesion) contact = larger(0.0, contact);
+  if constexpr (E::threshold && E::plastic) return rubbing_load_any(c.threshold, contact);
   if constexpr (E::threshold) return rubbing_load(c.threshold, contact);
   return contact;
 }

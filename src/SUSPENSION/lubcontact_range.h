@@ -48,10 +48,12 @@ struct RangeTable {
   Radius rule = Radius::HARMONIC;
   std::vector<PairCoeffs> coeffs;
   std::vector<double> reach_a;
+  bool plastic = false;    // does some pair of types have the law brizmer?
 
   void resize(int ntypes)
   {
     types = ntypes;
+    plastic = false;
     coeffs.assign((ntypes + 1) * (ntypes + 1), {});
     reach_a.assign((ntypes + 1) * (ntypes + 1), 0.0);
   }
@@ -60,6 +62,7 @@ struct RangeTable {
     rule = s.radius;
     for (const int n : {i * (types + 1) + j, j * (types + 1) + i}) {
       coeffs[n] = pair_coeffs(s, k);
+      plastic = plastic || coeffs[n].threshold.per_plastic > 0.0;
       reach_a[n] = Lubcontact_NS::reach_a_of(s, k);
     }
   }

@@ -58,13 +58,13 @@ inline constexpr EffectRow EFFECTS[] = {
      }},
     {THRESHOLD, "critical load", nullptr, NUM_CHANNELS, NUM_ORIGINS,
      [](const TypeCoeffs &c) {
-       return c.law > FrictionLaw::COULOMB;
+       return has_load(c.law);
      },
      [](const TypeCoeffs &c) {
-       return c.law > FrictionLaw::COULOMB && c.critical > 0.0;
+       return has_load(c.law) && c.critical > 0.0;
      },
      [](TypeCoeffs &c) {
-       if (c.law > FrictionLaw::COULOMB) c.law = FrictionLaw::COULOMB;
+       if (has_load(c.law)) c.law = FrictionLaw::COULOMB;
        c.critical = 0.0;
      }},
     {ADHESION, "adhesion", "adhesion", NUM_CHANNELS, NORMAL_CONTACT,

@@ -134,13 +134,13 @@ const Column &column_at(double TypeCoeffs::*value)
 }
 
 /* ----------------------------------------------------------------------
-   none, coulomb mu, or clm step|shift|ramp mu F; returns the number of words
+   none, coulomb mu, clm step|shift|ramp mu F, or brizmer mu F; returns the number of words
 ------------------------------------------------------------------------- */
 
 int CoeffParser::parse_friction(int iarg, TypeCoeffs &c) const
 {
   Suspension_NS::require_words(FLERR, error, "pair_coeff", narg - iarg,
-                               "friction none|coulomb|clm");
+                               "friction none|coulomb|clm|brizmer");
   std::string name = arg[iarg + 1];
   int word = iarg + 1;
   if (name == "clm" && iarg + 2 < narg) name += std::string(" ") + arg[++word];
@@ -149,15 +149,16 @@ int CoeffParser::parse_friction(int iarg, TypeCoeffs &c) const
   if (law == static_cast<int>(FrictionLaw::NUM_LAWS))
     error->all(
         FLERR, place_of(input, arg[word]),
-        "Pair style lubcontact friction must be none, coulomb mu, or clm step, clm shift or clm "
-        "ramp with mu and the critical load, but is {}{}",
+        "Pair style lubcontact friction must be none, coulomb mu, or clm step, clm shift, clm ramp "
+        "or brizmer with mu and the critical load, but is {}{}",
         name, origin);
   c.law = static_cast<FrictionLaw>(law);
   c.friction = c.critical = 0.0;
-  const bool has_mu = c.law != FrictionLaw::NONE, has_load = c.law > FrictionLaw::COULOMB;
+  const bool has_mu = c.law != FrictionLaw::NONE, has_load = Lubcontact_NS::has_load(c.law);
   const std::string usage = "friction " + name + (has_mu ? " mu" : "") + (has_load ? " F" : "");
   Suspension_NS::require_words(FLERR, error, "pair_coeff", narg - iarg, usage);
-  if (has_mu) c.friction = number(++word, column_at(&TypeCoeffs::friction), true);
+  if (has_mu)
+    c.friction = number(++word, column_at(&TypeCoeffs::friction), c.law != FrictionLaw::BRIZMER);
   if (has_load) c.critical = number(++word, column_at(&TypeCoeffs::critical), true);
   return word + 1 - iarg;
 }
@@ -320,7 +321,7 @@ std::string LAMMPS_NS::surface_words(const TypeCoeffs &c)
   std::string words = fmt::format("asperity {} roughness {} friction {}", c.asperity, c.roughness_a,
                                   FRICTION_NAME[static_cast<int>(c.law)]);
   if (c.law != FrictionLaw::NONE) words += fmt::format(" {}", c.friction);
-  if (c.law > FrictionLaw::COULOMB) words += fmt::format(" {}", c.critical);
+  if (Lubcontact_NS::has_load(c.law)) words += fmt::format(" {}", c.critical);
   for (std::size_t m = Lubcontact_NS::column_of(&TypeCoeffs::adhesion_a); m < NUM_COLUMNS; m++) {
     const bool follows = m + 1 < NUM_COLUMNS && !COLUMNS[m + 1].keyword;
     const double decides = c.*COLUMNS[follows ? m + 1 : m].value;    // repulsion 0 has a length

@@ -141,6 +141,7 @@ void PairLubcontact::compute(int eflag, int vflag)
                       *sums,
                       *film,
                       given->euler,
+                      pairs->range().plastic,
                       vflag_global ? cell_virial : nullptr,
                       counted->of_next_step(neighbor->ago == 0),
                       nullptr,

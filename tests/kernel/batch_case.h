@@ -24,11 +24,11 @@ struct Case {
          rnd.uniform(0.0, 1.0)};
     c.normal.gap.release_a = eps > 0.0 && rnd.coin() ? eps * rnd.uniform(1.0, 2.0) : eps;
     c.normal.gap.ln_release = c.normal.gap.release_a > eps ? std::log(c.normal.gap.release_a)
-                                                         : c.normal.gap.ln_eps;
+                                                           : c.normal.gap.ln_eps;
     if (rnd.coin()) c.normal.repulsion = {rnd.log_uniform(1e-2, 1e2), rnd.log_uniform(10.0, 1e3)};
     const FrictionLaw laws[] = {FrictionLaw::COULOMB, FrictionLaw::STEP, FrictionLaw::SHIFT,
-                                FrictionLaw::RAMP};
-    c.threshold = make_threshold(laws[rnd.engine() % 4], rnd.log_uniform(1e-2, 1e2));
+                                FrictionLaw::RAMP, FrictionLaw::BRIZMER};
+    c.threshold = make_threshold(laws[rnd.engine() % 5], rnd.log_uniform(1e-2, 1e2), c.mu);
     const double ri = rnd.uniform(0.5, 1.5), rj = rnd.uniform(0.5, 1.5);
     a = effective_radius(Radius::HARMONIC, ri, rj);
     const double un = a * rnd.uniform(-0.02, 0.4);
@@ -78,6 +78,8 @@ inline void put(const Case &k, Batch &b, int l)
   b.least[l] = k.c.threshold.least;
   b.shift[l] = k.c.threshold.shift;
   b.per_ramp[l] = k.c.threshold.per_ramp;
+  b.per_plastic[l] = k.c.threshold.per_plastic;
+  b.plastic = b.plastic || b.per_plastic[l] > 0.0;
   b.kt[l] = k.c.kt;
   b.mu[l] = k.c.mu;
   for (int m = 0; m < Batch::HISTORY; m++) b.history[m][l] = k.history[m];

@@ -69,7 +69,7 @@ template <unsigned MASK> void put_pair(Numbers &n, Range rule, bool euler)
   const PairCoeffs c{{g, gap.alpha * g, gap, {n.uniform(0.0, 1.0), 50.0}},
                      n.uniform(100.0, 1000.0),
                      n.uniform(0.0, 1.0),
-                     make_threshold(FrictionLaw::RAMP, 0.1)};
+                     make_threshold(euler ? FrictionLaw::BRIZMER : FrictionLaw::RAMP, 0.1, 0.3)};
   Body i{{2.1, 0.0, 0.0}, {}, {}, 1.1}, j{{}, {}, {}, 0.9};
   const double a = effective_radius(Radius::HARMONIC, i.radius, j.radius);
   double old[E::HISTORY_SIZE + 1] = {}, next[E::HISTORY_SIZE + 1] = {};

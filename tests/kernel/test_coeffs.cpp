@@ -103,6 +103,12 @@ TEST(Coeffs, ComplaintsNameTheCure)
   c.critical = 1.0;
   EXPECT_NE(complaint(c).find("friction clm first"), std::string::npos);
   c = rough();
+  c.law = FrictionLaw::BRIZMER;
+  c.critical = 1.0;
+  EXPECT_EQ(complaint(c), "");
+  c.friction = 0.0;
+  EXPECT_NE(complaint(c).find("give pair_coeff friction none"), std::string::npos);
+  c = rough();
   c.repulsion = 1.0;
   EXPECT_NE(complaint(c).find("screening length first"), std::string::npos);
   c = rough();

@@ -16,6 +16,7 @@ TEST(Friction, NamesStandInTheOrderOfTheLaws)
   EXPECT_EQ(name(FrictionLaw::STEP), "clm step");
   EXPECT_EQ(name(FrictionLaw::SHIFT), "clm shift");
   EXPECT_EQ(name(FrictionLaw::RAMP), "clm ramp");
+  EXPECT_EQ(name(FrictionLaw::BRIZMER), "brizmer");
   EXPECT_EQ(std::size(FRICTION_NAME), static_cast<std::size_t>(FrictionLaw::NUM_LAWS));
 }
 

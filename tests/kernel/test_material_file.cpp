@@ -72,8 +72,10 @@ TEST(MaterialFile, EachErrorHasItsLine)
   expect_error(GLASS + "hardness 5\n", "unknown property hardness", 5);
   expect_error(GLASS + "roughness -1\n", "roughness must be >= 0, but is -1", 5);
   expect_error(GLASS + "repulsion 1e-3\n", "repulsion needs a number", 5);
-  expect_error(GLASS + "friction\n", "friction must be none, coulomb or clm, but is missing", 5);
-  expect_error(GLASS + "friction 0.3\n", "friction must be none, coulomb or clm, but is 0.3", 5);
+  expect_error(GLASS + "friction\n",
+               "friction must be none, coulomb, clm or brizmer, but is missing", 5);
+  expect_error(GLASS + "friction 0.3\n",
+               "friction must be none, coulomb, clm or brizmer, but is 0.3", 5);
   expect_error(GLASS + "friction clm up 1 2\n",
                "friction clm must be step, shift or ramp, but is up", 5);
   expect_error(GLASS + "friction clm step 1\n", "critical load needs a number", 5);
@@ -131,6 +133,15 @@ TEST(MaterialFile, WordsAreThoseOfPairCoeffInUnitsOfLammps)
   EXPECT_EQ(s.friction.load, 4e-9);
 }
 
+TEST(MaterialFile, FrictionBrizmerHasACoefficient)
+{
+  const MaterialFile file = read(GLASS + "friction brizmer 0.25 4e-9\n");
+  EXPECT_EQ(joined(surface_words(file.materials[0].surface, 1.0, {1.0, 4e-9, 1.0})),
+            "friction brizmer 0.25 1");
+  expect_error(GLASS + "friction brizmer 0 1\n", "coefficient of friction must be > 0, but is 0",
+               5);
+}
+
 TEST(MaterialFile, UnknownPropertiesHaveNoWords)
 {
   EXPECT_EQ(joined(surface_words(Surface(), 1.0, SI)), "");
@@ -141,8 +152,8 @@ TEST(MaterialFile, UnlikeSurfacesMix)
   Surface a, b;
   a.roughness = 2.0;
   b.roughness = 4.0;
-  a.friction = {SolidFriction::COULOMB, "", 0.2, 0.0};
-  b.friction = {SolidFriction::COULOMB, "", 0.8, 0.0};
+  a.friction = {SolidFriction::COULOMB, {}, 0.2, 0.0};
+  b.friction = {SolidFriction::COULOMB, {}, 0.8, 0.0};
   a.repulsion = 1.0;
   a.screening = 1.0;
   EXPECT_EQ(joined(surface_words(mix(a, b), 1.0, SI)),
@@ -150,14 +161,16 @@ TEST(MaterialFile, UnlikeSurfacesMix)
 
   b.repulsion = 4.0;
   b.screening = 2.0;
-  b.friction = {SolidFriction::CLM, "ramp", 0.2, 4.0};
+  b.friction = {SolidFriction::BY_LOAD, {"clm", "ramp"}, 0.2, 4.0};
   a.friction.mu = 0.2;
   EXPECT_EQ(joined(surface_words(mix(a, b), 1.0, SI)),
             "roughness 3 repulsion 2 1.5 friction clm ramp 0.20000000000000001 4");
-  a.friction = {SolidFriction::CLM, "ramp", 0.2, 16.0};
+  a.friction = {SolidFriction::BY_LOAD, {"clm", "ramp"}, 0.2, 16.0};
   EXPECT_EQ(mix(a, b).friction.load, 8.0);
-  a.friction.mode = "step";
-  EXPECT_EQ(mix(a, b).friction.law, SolidFriction::UNKNOWN);
+  for (const Words &other : {Words{"clm", "step"}, Words{"brizmer"}}) {
+    a.friction.words = other;
+    EXPECT_EQ(mix(a, b).friction.law, SolidFriction::UNKNOWN);
+  }
   a.friction.law = SolidFriction::NONE;
   EXPECT_EQ(mix(a, b).friction.law, SolidFriction::NONE);
   a.friction.law = SolidFriction::UNKNOWN;

@@ -1,4 +1,4 @@
-"""Critical-load friction of two dry spheres dragged along each other, by law and load; a mixture of rough and smooth spheres."""
+"""Friction by the load of two dry spheres dragged along each other, by law and load; a mixture of rough and smooth spheres."""
 import numpy as np
 
 import deck
@@ -8,6 +8,7 @@ LAWS = {    # friction at the normal force N
     "clm step": lambda N, mu, F: mu * N * (N >= F),
     "clm shift": lambda N, mu, F: mu * np.maximum(0, N - F),
     "clm ramp": lambda N, mu, F: mu * N * np.minimum(1, N / F),
+    "brizmer": lambda N, mu, F: mu * N / np.tanh(mu * (N / F) ** 0.35),
 }
 
 

@@ -101,6 +101,13 @@ for law, load, friction, critical, words, why in (
     deck.expect("  and says what is left out", ("critical load" in gone) == ("clm" not in words) and ("friction" in gone) == ("none" in words), gone)
     shown = [float(x) for x in re.search(r"pressure (\S+) to (\S+) \(estimated", scene.text).groups()]
     deck.expect_close("  bounds of the pressure", shown, [slip, rub], rtol=6e-3)
+# a law without largest coefficient of friction: jamming lies between that of its least one and that of an infinite one
+scene = Advice(coeff="roughness 0.01 friction brizmer 0.5 20")
+scene.expect("brizmer", friction="needed", critical_load="needed")
+deck.expect("  why", "act at every load" in scene.text)
+deck.expect("  the line follows", "friction brizmer 0.5 20" in scene.lines, scene.lines)
+shown = [float(x) for x in re.search(r"pressure (\S+) to (\S+) \(estimated", scene.text).groups()]
+deck.expect_close("  bounds of the pressure", shown, [rub, 1 / ((0.6301 - 0.0794) / phi - 1)**2], rtol=6e-3)
 # once the pressure is known they are one
 scene = Advice(coeff="roughness 0.01 friction clm step 0.5 1000", words="pressure 15")
 scene.expect("clm, pressure given", friction="not needed", critical_load="not needed")
