@@ -72,6 +72,13 @@ def off_phi(rows, *numbers):
     return "; ".join(f"{max(off(iv, mu) for mu in ('0', '0.3', '0.5')):.3f}" for iv in numbers)
 
 
+def far_field(rows):
+    def over_law(phi, **where):
+        return column(rows, "eta_r", phi=phi, friction="0.5", **where)[0] / rheology.eta_chevremont(float(phi))
+    return "; ".join(", ".join(f"{over_law(phi, level=level, range=reach):.2f}" for phi in ("0.1", "0.2", "0.3", "0.4", "0.45", "0.5"))
+                     for level, reach in (("grid", "1"), ("none", "0.5")))
+
+
 def thickening(rows):
     etas = [1 / rate for rate in column(rows, "mean_rate", drive="stress", phi="0.56")]    # at a stress of 1, viscosity 1
     return f"{min(etas):.0f} to {float(f'{max(etas):.2e}'):.0f}"
@@ -120,6 +127,7 @@ CLAIMS = {
     "What moves it": sensitivity,
     "Range of the films": range_of_films,
     "Volume fraction under an imposed pressure": lambda rows: off_phi(rows, "1e-3", "1e-2", "0.1", "1"),
+    "The far field": far_field,
     "Critical-load friction thickens": thickening,
     "Pair in shear": pair_in_shear,
     "Largest accurate time step": longer_steps,

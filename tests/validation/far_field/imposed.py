@@ -1,6 +1,6 @@
 """Volume fraction and friction under an imposed pressure, at each level of the far field.
 
-usage: tools/python.sh imposed.py [--Iv 0.1 1] [--friction 0.5] [--particles 500] [--strain 8] [--seeds 1] [--jobs 1]
+usage: tools/python.sh imposed.py [--Iv 0.1 1] [--friction 0.5] [--particles 500] [--strain 6] [--seeds 1] [--jobs 1]
 Runs examples/pressure_shear for each case, appends to imposed.csv, skips what it already holds.
 """
 import argparse
@@ -40,7 +40,7 @@ def main():
     parser.add_argument("--friction", nargs="+", default=["0.5"])
     parser.add_argument("--levels", nargs="+", default=["none:cut:0.5", "mean:cut:0.5", "grid:residual:1"])
     parser.add_argument("--particles", default="500")
-    parser.add_argument("--strain", default="8")
+    parser.add_argument("--strain", default="6")
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
     args = parser.parse_args()
