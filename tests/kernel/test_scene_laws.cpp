@@ -157,6 +157,15 @@ TEST(SceneLaws, ASceneHasTheSoftestTheSmoothestAndTheRoughest)
   EXPECT_EQ(t.critical, 3.0);
   EXPECT_EQ(t.critical_max, 8.0);
   EXPECT_EQ(t.critical_law, scene::RAMP_LAW);
+
+  law.of(1, 1).law = FrictionLaw::BRIZMER;    // of which no load makes a contact frictionless
+  scene::Scene plastic;
+  plastic.radius = 1.0;
+  scene::describe_law(law, plastic);
+  EXPECT_EQ(plastic.critical_law, scene::PLASTIC_LAW);
+  EXPECT_TRUE(plastic.rubs_always);
+  EXPECT_EQ(scene::largest_friction(plastic), HUGE_VAL);
+  EXPECT_EQ(scene::largest_friction(t), t.friction);
 }
 
 TEST(SceneLaws, NoCoefficientsLeaveASceneUnknown)
