@@ -361,15 +361,3 @@ TEST(SceneVerdict, RoughnessSetsTheGapAlsoWithoutFriction)
   s.friction = 0.0;
   EXPECT_NE(verdict(s, ROUGHNESS).why.find("without friction"), std::string::npos);
 }
-
-TEST(SceneVerdict, WhatIsMissingIsInterpolatedBetweenTheMeasurements)
-{
-  const double phi[] = {0.46, 0.45, 0.425, 0.40, 0.35, 0.30, 0.25};
-  const double low[] = {0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.4};
-  for (int m = 0; m < 7; m++) EXPECT_NEAR(missing_viscosity(phi[m]), low[m], 1e-12) << phi[m];
-  Scene s = paste();
-  s.phi = 0.299;
-  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("more than 40 % low"), std::string::npos);
-  s.phi = 0.301;
-  EXPECT_NE(verdict(s, FAR_HYDRODYNAMICS).why.find("about 39.8 % low"), std::string::npos);
-}
