@@ -21,7 +21,7 @@ FIELDS = ["level", "range", "phi", "friction", "eta_r", "error"]
 LEVELS = [("none", "0.5"), ("mean", "0.5"), ("grid", "0.5"), ("grid", "1"), ("grid", "2")]
 LABEL = {("none", "0.5"): "films alone, to 0.5", ("mean", "0.5"): "mean, films to 0.5", ("grid", "0.5"): "grid, residual films to 0.5",
          ("grid", "1"): "grid, to 1", ("grid", "2"): "grid, to 2"}
-STYLE = {("none", "0.5"): "ks--", ("mean", "0.5"): "v--", ("grid", "0.5"): "o-", ("grid", "1"): "D-", ("grid", "2"): "^-"}
+STYLE = {("none", "0.5"): "ks--", ("mean", "0.5"): "C0v--", ("grid", "0.5"): "C1o-", ("grid", "1"): "C2D-", ("grid", "2"): "C3^-"}
 ROUGHNESS = 0.01
 SOLVE = 0.0025    # strain between two solutions; rows with more have a star
 SHOWN = [("none", "0.5"), ("grid", "1")]    # in the table of parts
