@@ -55,7 +55,7 @@ CASES = [    # lines in place of the fix, message, underlined word or None, vari
     (F + " viscosity v_later", "viscosity must be > 0, but is 0 at step 1", None),
     (F + "\npair_style zero 2\npair_coeff * *", "there is no pair style lubcontact; give the viscosity instead of pair", None),
     (F + "\npair_style lubcontact v_eta residual 0.5\npair_coeff * * 1 1", "give the viscosity instead of pair", None),
-    (STYLE + " grid", "solves every 0.01 of strain, but the cell does not deform: use fix deform/rheometer, or every n", None),
+    (STYLE + " grid", "solves every 0.0025 of strain, but the cell does not deform: use fix deform/rheometer, or every n", None),
     (F + SHEAR.replace("remap v", "remap x"), "add to fix deform: remap v", None),
     (F + SHEAR.replace("all deform", "some deform"), "use group all for fix d", None),
     (F, "use: atom_style sphere", None, {"atoms": "atomic"}),
