@@ -34,3 +34,12 @@ def run(cases, measure, table, fields, jobs=1):
 def columns(rows, *names):
     """Columns of the rows as lists of floats."""
     return [[float(row[name]) for row in rows] for name in names]
+
+
+def write_tables(readme, tables):
+    """Writes the lines of each table into a README, between the lines <!-- name --> and <!-- end -->."""
+    text = Path(readme).read_text(encoding="ascii")
+    for name, lines in tables.items():
+        start = text.index(f"<!-- {name} -->\n") + len(f"<!-- {name} -->\n")
+        text = text[:start] + "\n".join(lines) + "\n" + text[text.index("<!-- end -->", start):]
+    Path(readme).write_text(text, encoding="ascii")

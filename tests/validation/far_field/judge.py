@@ -40,6 +40,13 @@ def most_often_solved(rows):
     return [row for row in rows if float(row["solve"]) == least[state(row)]]
 
 
+def error_of_mean(values, errors):
+    """Of several seeds: from the errors of the runs that know one, or from their scatter if that is larger."""
+    known = errors[np.isfinite(errors)]
+    error = np.sqrt(np.mean(known**2) / len(values)) if len(known) else np.nan
+    return np.nanmax([error, np.std(values, ddof=1) / np.sqrt(len(values))]) if len(values) > 1 else error
+
+
 def merged(rows, roughness=ROUGHNESS):
     """(level, range, friction) -> phi -> mean, error and parts over the seeds."""
     found = {}
@@ -50,10 +57,7 @@ def merged(rows, roughness=ROUGHNESS):
     for of_phi in found.values():
         for phi, seeds in of_phi.items():
             values, errors = (np.array(column) for column in cases.columns(seeds, "eta_r", "error"))
-            known = errors[np.isfinite(errors)]
-            error = np.sqrt(np.mean(known**2) / len(values)) if len(known) else np.nan
-            if len(values) > 1:
-                error = np.nanmax([error, np.std(values, ddof=1) / np.sqrt(len(values))])
+            error = error_of_mean(values, errors)
             parts = {name: np.mean(cases.columns(seeds, name)) for name in PARTS}
             of_phi[phi] = {"eta_r": values.mean(), "error": error, "seeds": len(values), "solve": float(seeds[0]["solve"]), **parts}
     return found
@@ -135,24 +139,13 @@ def pressures(rows):
         words = []
         for name in ("phi", "mu"):
             values, errors = (np.array(column) for column in cases.columns(seeds, name, name + "_error"))
-            error = np.sqrt(np.nanmean(errors**2) / len(values)) if np.any(np.isfinite(errors)) else np.nan
-            if len(values) > 1:
-                error = np.nanmax([error, np.std(values, ddof=1) / np.sqrt(len(values))])
+            error = error_of_mean(values, errors)
             words.append(f"{values.mean():.4f} +- {error:.4f}" if np.isfinite(error) else f"{values.mean():.4f}")
         lines.append(f"| {iv:g} | {level} | " + " | ".join(words) + f" | {len(seeds)} |")
     for iv in sorted({key[0] for key in groups}):
         lines.append(f"| {iv:g} | laws | Chevremont {rheology.phi_chevremont(iv, 0.5):.4f}, Boyer {rheology.phi_boyer(iv):.4f} | "
                      f"{rheology.mu_chevremont(iv, 0.5):.3f}, {rheology.mu_boyer(iv):.3f} | |")
     return lines
-
-
-def write_tables(tables):
-    """Each between the lines <!-- name --> and <!-- end --> of README.md."""
-    text = (HERE / "README.md").read_text(encoding="ascii")
-    for name, lines in tables.items():
-        start = text.index(f"<!-- {name} -->\n") + len(f"<!-- {name} -->\n")
-        text = text[:start] + "\n".join(lines) + "\n" + text[text.index("<!-- end -->", start):]
-    (HERE / "README.md").write_text(text, encoding="ascii")
 
 
 def pm(found):
@@ -198,7 +191,7 @@ def main():
                 for phi, f in sorted(found.get((level, reach, friction), {}).items()):
                     writer.writerow([level, reach, f"{phi:g}", friction, f"{f['eta_r']:.4g}", f"{f['error']:.2g}"])
     frictions = sorted({key[2] for key in found}, reverse=True)
-    write_tables({**{f"friction {f}": viscosities(found, f) for f in frictions}, "parts": parts(found, frictions[0]),
+    cases.write_tables(HERE / "README.md", {**{f"friction {f}": viscosities(found, f) for f in frictions}, "parts": parts(found, frictions[0]),
                   "touching": touching(rows), "intervals": intervals(every), "imposed": pressures(cases.read(HERE / "imposed.csv"))})
     draw(found)
 

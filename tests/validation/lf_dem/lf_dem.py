@@ -66,7 +66,7 @@ def table(rows):
         of = [found.get((variant, phi)) for phi in PUBLISHED]
         if not any(of):
             continue
-        words = [f"{float(row['eta_r']):.1f} +- {float(row['error']):.1f}" if row else "" for row in of]
+        words = [f"{float(row['eta_r']):.1f}" + (f" +- {float(row['error']):.1f}" if row["error"] != "nan" else "") if row else "" for row in of]
         last = of[-1]
         words.append("{:.1f}, {:.1f}".format(float(last["contact_n"]) + float(last["contact_t"]), float(last["film_n"]) + float(last["film_t"])) if last else "")
         lines.append(f"| {variant} | " + " | ".join(words) + " |")
@@ -81,10 +81,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     args = parser.parse_args()
     cases.run([dict(zip(CASE, (variant, phi, args.strain))) for variant in VARIANTS for phi in args.phi], measure, TABLE, FIELDS, args.jobs)
-    readme = HERE / "README.md"
-    text = readme.read_text(encoding="ascii")
-    start = text.index("<!-- table -->\n") + len("<!-- table -->\n")
-    readme.write_text(text[:start] + "\n".join(table(cases.read(TABLE))) + "\n" + text[text.index("<!-- end -->"):], encoding="ascii")
+    cases.write_tables(HERE / "README.md", {"table": table(cases.read(TABLE))})
 
 
 if __name__ == "__main__":
