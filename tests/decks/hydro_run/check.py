@@ -63,6 +63,11 @@ def rounding():
     again = read("in.restarted", flow=servo, steps=70, grid=GRID)
     deck.expect_same_bits("restart: particles", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
     deck.expect_same_bits("restart: output", again, whole)
+    # under LAMMPS' own fix deform the last digits differ
+    whole, again = read(steps=70, grid=GRID, half="yes"), read("in.restarted", steps=70, grid=GRID)
+    for name in names:
+        deck.expect_close(f"restart, fix deform: {name}", again[name], whole[name], rtol=1e-9)
+    deck.expect("restart, fix deform: solutions", np.array_equal(again["solutions"], whole["solutions"]))
 
 
 def flip():
