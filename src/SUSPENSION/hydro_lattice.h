@@ -35,8 +35,8 @@ struct Lattice {
   double point_volume() const { return volume() / static_cast<double>(points()); }
 };
 
-// Components of a field: three of a vector; with its companion six (hydro_spline.h). In the memory of
-// a brick those of a point are together and padded, the rest being 0.
+// Components of a field: three of a vector; with its companion six (hydro_spline.h). In the memory
+// of a brick those of a point are together and padded, the rest being 0.
 static constexpr int VECTOR = 3, WITH_COMPANION = 6;
 constexpr int padded(int components)
 {

@@ -63,7 +63,7 @@ inline std::size_t numbers_in(const Brick &brick, const Points &points, const Sh
   return components * rows * brick.size[0];
 }
 
-// What a brick has in some layers, row by row, the components of each one after the other, and back.
+// What a brick has in some layers, row by row, the components of each in turn, and back.
 inline void pack_brick(const Brick &brick, const Points &points, const Share &layers,
                        int components, const double *field, double *numbers)
 {
