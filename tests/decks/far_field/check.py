@@ -98,7 +98,7 @@ def pushed():
 
 def pair():
     """Free spheres in a shear, far apart: relative motion (1 - A) e along, (1 - B) e_t across; A = 5/r^3, B = 16/(3 r^5)."""
-    edge, hydro = 48.0, "tol 1e-8 spacing 0.82 points 8 reach 6.5"
+    edge, hydro = 48.0, "tol 1e-8 spacing 0.82 points 10 reach 6.5"
     volume = edge**3 / (2 * 4 / 3 * np.pi)
     felt = 1 + (1 + 40 * ZUZOVSKY["sc"][1]) / volume    # strain at the pair, which its images change
     n = np.array([np.cos(0.6), np.sin(0.6), 0])
@@ -120,7 +120,7 @@ def pair():
 
 def falling_pair():
     """Two spheres side by side and one above the other; without images, which slow them down by 2.837 a/L each."""
-    edge, gap, hydro = 40.0, 0.5, "tol 1e-8 spacing 0.82 points 8 reach 6.5"
+    edge, gap, hydro = 40.0, 0.5, "tol 1e-8 spacing 0.82 points 10 reach 6.5"
     lattice = 2 * (2.837297 / edge - 4 * np.pi / 3 / edge**3)
     for what, n, known, spin, error in (("above", 1, ABOVE, 0.0, 0.006), ("beside", 0, BESIDE, TURN, 0.001)):
         x = np.full((2, 3), edge / 2)
