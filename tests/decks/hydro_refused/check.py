@@ -115,7 +115,8 @@ for lines in GOOD:
 run(F + "\nrun 2\nwrite_restart good.restart", fails=False)
 content = deck.Path("good.restart").read_bytes()
 head = content.index(struct.pack("Q", 0x5355535000000000 + 8 * 10))
-atom = content.index(struct.pack("d", 30.0), head)
+PART = 31    # doubles of an atom: their number, two loads of 11, motion of 6, hold, seal
+atom = content.index(struct.pack("d", PART), head)
 again = "atom_modify map array\nread_restart {} \ncomm_modify vel yes\nfix move all nve\ntimestep 1e-4\n" + F + "\nrun 1\n"
 for what, byte, message in (("good", None, ""), ("head", head + 20, "The part of fix hydro in the restart file is damaged"),
                             ("atom", atom + 30, "for fix hydro is damaged: use another one")):
