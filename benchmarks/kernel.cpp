@@ -132,7 +132,7 @@ template <unsigned MASK> void kernel(benchmark::State &state)
       Counter(NUM_PAIRS, Counter::kIsIterationInvariantRate | Counter::kInvert);
 }
 
-constexpr unsigned ALL = NUM_COMBINATIONS - 1;
+constexpr unsigned ALL = RESTITUTION - 1;
 
 BENCHMARK(kernel<ALL>)->Name("all");
 BENCHMARK(kernel<ALL & ~SQUEEZE>)->Name("no_squeeze");

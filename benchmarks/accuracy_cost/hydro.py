@@ -26,8 +26,8 @@ TABLE = HERE / "hydro.csv"
 CASE = ["part", "knob", "value", "phi", "seed"]
 # moment: error of the power and of the stress of the stresslets against the finest settings; flow: relative viscosity and its error
 FIELDS = CASE + ["first", "second", "iterations", "cpu"]
-FINEST = "spacing 0.5 support 7 reach 9 tol 1e-9"
-MOMENT = {"tol": [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4], "spacing": [1.0, 0.9, 0.82, 0.69, 0.5], "support": [3, 3.5, 4, 4.5, 5, 6],
+FINEST = "spacing 0.5 points 12 reach 9 tol 1e-9"
+MOMENT = {"tol": [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4], "spacing": [1.0, 0.9, 0.82, 0.69, 0.5], "points": [4, 6, 8, 10, 12],
           "reach": [3, 4, 5, 6, 7], "width": [0.8, 0.9, 1, 1.1, 1.25]}
 FLOW = {"strain": [0.01, 0.0025, 0.005, 0.02, 0.00125], "tol": [0.1, 0.001], "hold": ["8 2", "15.4 15"]}    # others: the base
 BASE = {"strain": "0.0025", "tol": "0.01", "hold": "auto"}
@@ -70,7 +70,7 @@ def draw():
         return [np.array(column) for column in zip(*sorted(zip(*cases.columns(found, "value", *columns))))]
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
-    for knob, mark in (("tol", "o"), ("support", "s"), ("reach", "^"), ("spacing", "D"), ("width", "v")):
+    for knob, mark in (("tol", "o"), ("points", "s"), ("reach", "^"), ("spacing", "D"), ("width", "v")):
         value, power, stress = of("moment", knob, "0.5", "first", "second")
         left.loglog(value, np.maximum(np.abs(power), np.abs(stress)), mark + "-", ms=4, label=knob)
     left.set(xlabel="value", ylabel="relative error of a solution", ylim=(1e-7, 1))

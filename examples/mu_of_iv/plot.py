@@ -24,7 +24,7 @@ def columns(rows, *names):
 
 
 def draw(rows, name):
-    fig, axes = plt.subplots(1, 3, figsize=(13, 4.3))
+    fig, axes = plt.subplots(1, 3, figsize=(15.2, 4.3))
     frictions = sorted({row["friction"] for row in rows}, key=float)
     for friction in frictions:
         mine = [row for row in rows if row["friction"] == friction]
@@ -44,15 +44,15 @@ def draw(rows, name):
     for (label, color), part in zip(list(rheology.PARTS.values())[1:], parts):
         axes[2].plot(iv, part, "o", ms=4, color=color, label=label)
     axes[2].plot(iv, iv, "o", ms=4, color="0.6", label="fluid")
-    axes[2].plot(iv, parts[0] + parts[1], "ks", mfc="none", ms=6, label="contact")
-    axes[2].plot(iv, parts[2] + parts[3] + iv, "kD", mfc="none", ms=6, label="films and fluid")
-    axes[2].plot(IV, 0.36 + 0.34 / (1 + 0.0133 / IV), color="0.4", lw=1, label="contact, Chevremont 2019")
-    axes[2].plot(IV, rheology.mu_chevremont(IV, 0.5) - 0.36 - 0.34 / (1 + 0.0133 / IV), color="0.4", lw=1, ls="-.",
-                 label="films and fluid, Chevremont 2019")
+    axes[2].plot(iv, parts[0] + parts[1], "ks", mfc="none", ms=6, label="contact (laws in black)")
+    axes[2].plot(iv, parts[2] + parts[3] + iv, "C3D", mfc="none", ms=6, label="films and fluid (laws in red)")
+    for (law, split), style in zip(rheology.SPLITS.items(), ("-", "--", ":", "-.")):
+        for part, color in zip(split(IV), ("k", "C3")):
+            axes[2].plot(IV, part, ls=style, color=color, lw=1, label=law if color == "k" else None)
     axes[2].set(ylabel=r"parts of $\mu$, friction 0.5", yscale="log", ylim=(5e-4, 5))
     for ax in axes:
         ax.set(xscale="log", xlabel=r"$I_v = \eta_f\dot\gamma/P$")
-        ax.legend(frameon=False, fontsize=7.5)
+        ax.legend(frameon=False, fontsize=7.5, **({"loc": "center left", "bbox_to_anchor": (1, 0.5)} if ax is axes[2] else {}))
     fig.tight_layout()
     fig.savefig(name, dpi=140)
     plt.close(fig)

@@ -30,9 +30,13 @@ def phi_chevremont(iv, friction):
     return phi_m_chevremont(friction) / (1 + np.sqrt(iv))
 
 
+def split_chevremont(iv, friction=0.5):
+    """Shear stress over pressure at a viscous number, eq. 14; for friction >= 0.36: part of contacts, part of films and fluid."""
+    return 0.36 + 0.34 / (1 + 0.0133 / iv), iv * (1 - phi_chevremont(iv, friction)) ** -2.5
+
+
 def mu_chevremont(iv, friction):
-    """Shear stress over pressure at a viscous number, eq. 14; for friction >= 0.36."""
-    return 0.36 + 0.34 / (1 + 0.0133 / iv) + iv * (1 - phi_chevremont(iv, friction)) ** -2.5
+    return sum(split_chevremont(iv, friction))
 
 
 def eta_chevremont(phi, friction=0.5):
@@ -50,8 +54,13 @@ def phi_boyer(iv):
     return PHI_M_BOYER / (1 + np.sqrt(iv))
 
 
+def split_boyer(iv):
+    """As the form of their law suggests it; they measured the sum."""
+    return 0.32 + 0.38 / (1 + 0.005 / iv), iv + 2.5 * PHI_M_BOYER * np.sqrt(iv)
+
+
 def mu_boyer(iv):
-    return 0.32 + 0.38 / (1 + 0.005 / iv) + iv + 2.5 * PHI_M_BOYER * np.sqrt(iv)
+    return sum(split_boyer(iv))
 
 
 def eta_boyer(phi):
@@ -59,13 +68,33 @@ def eta_boyer(phi):
     return mu_boyer(iv) / iv
 
 
+# S. Gallier, E. Lemaire, F. Peters, L. Lobry, J. Fluid Mech. 757, 514 (2014); resolved simulations, friction 0.5, phi <= 0.45. As the
+# fit that Chevremont's thesis gives (eqs. A3, A4), with the minus sign that its second term needs: the viscosity of the hydrodynamic
+# part must grow with phi
+
+def phi_gallier(iv):
+    return 0.64 / (1 + iv**0.4)
+
+
+def split_gallier(iv):
+    return split_boyer(iv)[0], iv * (1 - phi_gallier(iv) / 0.68) ** (-2.4 * 0.68)
+
+
 def eta_gallier(phi):
-    """Resolved simulations, friction 0.5, phi <= 0.45: S. Gallier, E. Lemaire, F. Peters, L. Lobry, J. Fluid Mech. 757,
-    514 (2014). As the fit that Chevremont's thesis gives (eqs. A3, A4), with the minus sign that its second term needs: the viscosity
-    of the hydrodynamic part must grow with phi.
-    """
     iv = (0.64 / phi - 1) ** 2.5
-    return (0.32 + 0.38 / (1 + 0.005 / iv)) / iv + (1 - phi / 0.68) ** (-2.4 * 0.68)
+    return sum(split_gallier(iv)) / iv
+
+
+def split_lecampion(iv):
+    """B. Lecampion, D.I. Garagash, J. Fluid Mech. 759, 197 (2014); no data behind it. As Chevremont's thesis gives it (eqs. A5, A6),
+    with 5/2 phi_m where it prints 5 phi_m: only so is the dilute limit that of Einstein.
+    """
+    from_jamming = 1 - phi_boyer(iv) / PHI_M_BOYER
+    return 0.3 + PHI_M_BOYER / 0.158 * from_jamming, (iv + (2.5 * PHI_M_BOYER + 2) * np.sqrt(iv)) * from_jamming**2
+
+
+SPLITS = {"Chevremont 2019": split_chevremont, "Boyer 2011": split_boyer, "Gallier 2014": split_gallier,
+          "Lecampion 2014": split_lecampion}
 
 
 def phi_to_start(iv, chi_f):
@@ -75,9 +104,9 @@ def phi_to_start(iv, chi_f):
     return min(smooth + chi_f * (rough - smooth), 0.59)
 
 
-def simulate(deck, variables, ranks=1, log="none"):
+def simulate(deck, variables, ranks=1, log="none", read=None):
     """Runs a deck of an example in a scratch folder; columns of its stress.txt, and of normal.txt and contacts.txt if
-    any, as a dict."""
+    any, as a dict; or what read(folder) gives."""
     environment = dict(os.environ)
     lmp = environment.pop("LAMMPS_EXECUTABLE", None)    # the tests say which; for the tools it would be one of the user
     command = [environment["MPIRUN"], str(ranks), lmp] if lmp and "MPIRUN" in environment else \
@@ -87,7 +116,7 @@ def simulate(deck, variables, ranks=1, log="none"):
         for name, value in {"scene": HERE, "packing": HERE.parent / "packing" / "packing.lmp", **variables}.items():
             command += ["-var", name, str(value)]
         subprocess.run(command, cwd=folder, check=True, env=environment)
-        return read_run(folder)
+        return (read or read_run)(folder)
 
 
 def read_run(folder="."):

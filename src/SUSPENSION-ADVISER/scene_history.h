@@ -22,18 +22,18 @@
 namespace LAMMPS_NS::Scene_NS {
 
 // first slot of each part, in the order of lubcontact_effects.h, and the end
-using Slots = std::array<int, 7>;
+using Slots = std::array<int, 8>;
 
 // of a loop that is compiled
 inline Slots slots_of(unsigned instance)
 {
-  static_assert(Lubcontact_NS::Effects<Lubcontact_NS::NUM_COMBINATIONS - 1>::HISTORY_SIZE == 11,
+  static_assert(Lubcontact_NS::Effects<Lubcontact_NS::NUM_COMBINATIONS - 1>::HISTORY_SIZE == 12,
                 "a part of the history is missing here");
   Slots slots{};
   Lubcontact_NS::with_effects(instance, [&slots](auto effects) {
     using E = decltype(effects);
-    slots = {E::GAP_SLOT,   E::SURFACE_SLOT, E::SHEAR_SLOT,  E::ROLL_SLOT,
-             E::TWIST_SLOT, E::BOND_SLOT,    E::HISTORY_SIZE};
+    slots = {E::GAP_SLOT,   E::SURFACE_SLOT, E::SHEAR_SLOT,   E::ROLL_SLOT,
+             E::TWIST_SLOT, E::BOND_SLOT,    E::DASHPOT_SLOT, E::HISTORY_SIZE};
   });
   return slots;
 }

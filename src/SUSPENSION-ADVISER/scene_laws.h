@@ -25,7 +25,8 @@
 
 namespace LAMMPS_NS::Scene_NS {
 
-// effects of the verdicts that are some of the pair law; one without a verdict stays as it is
+// effects of the verdicts that are some of the pair law; one without a verdict stays as it is:
+// restitution, which is a property of grains and not of the scene
 struct OfPair {
   Effect effect;
   unsigned bit;

@@ -14,7 +14,6 @@
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
-#include "hydro_spread.h"
 #include "neigh_list.h"
 
 #include <algorithm>
@@ -32,7 +31,7 @@ const char *const HydroField::NO_LIBRARY =
 /* ---------------------------------------------------------------------- */
 
 HydroField::HydroField(LAMMPS *lmp, Fix *owner) :
-    Pointers(lmp), fix(owner), width(1.0), eta(1.0), waves(lmp)
+    Pointers(lmp), fix(owner), width(1.0), eta(1.0), waves(lmp, WITH_COMPANION)
 {
 }
 
@@ -55,18 +54,14 @@ void HydroField::prepare(const Settings &settings, int groupbit, double mean_rad
   width = settings.width * mean_radius;
   eta = viscosity;
   find_members(groupbit);
-  waves.fit(settings.spacing * width);
-  Hydro_NS::Lattice lattice = waves.lattice();
-  lattice.width = width;
-  lattice.reach = settings.support * width;
+  waves.fit(settings.spacing * width, settings.points);
   waves.set_response([this](const WaveVector &wave) {
-    return stokes_factors(wave, eta);
+    return gaussian_factors(wave, eta, width);
   });
-  Vec3 low, high;
-  const bool any = waves.corners(members, low, high);
-  waves.set_brick(any ? brick_for(lattice, low, high) : Brick{});
-  stencils.start(lattice, waves.brick());
-  for (const int i : members) stencils.add(Lubcontact_NS::get_vector(atom->x[i]));
+  waves.reach_for(members);
+  on_grid.clear();
+  for (const int i : members)
+    on_grid.push_back({i, {bodies[i].c_force, bodies[i].c_dipole}, waves.spline(i)});
   find_pairs(settings.reach * width, groupbit, list);
 }
 
@@ -89,6 +84,7 @@ void HydroField::find_members(int groupbit)
   }
   load.assign(static_cast<std::size_t>(nall) * NUMBERS, 0.0);
   motion.assign(load.size(), 0.0);
+  loads.assign(nall, Load{});
 }
 
 /* ----------------------------------------------------------------------
@@ -108,36 +104,27 @@ void HydroField::find_pairs(double cut, int groupbit, NeighList *list)
       if (!(mask[j] & groupbit)) continue;
       const Vec3 d = Lubcontact_NS::get_vector(x[i]) - Lubcontact_NS::get_vector(x[j]);
       if (dot(d, d) < cut * cut)
-        pairs.push_back({i, j, missing_response(d, bodies[i], bodies[j], width)});
+        add_to(pairs, i, j, missing_response(d, bodies[i], bodies[j], width));
     }
   }
 }
 
 /* ---------------------------------------------------------------------- */
 
-void HydroField::apply(const double *loads, double *motions)
+void HydroField::apply(const double *in, double *out)
 {
   const std::size_t size = static_cast<std::size_t>(atom->nlocal) * NUMBERS;
-  std::copy_n(loads, size, load.data());
+  std::copy_n(in, size, load.data());
   comm->forward_comm(fix);
-  std::fill(motion.begin(), motion.end(), 0.0);
-  add_near();
-  comm->reverse_comm(fix);
+  for (std::size_t i = 0; i < loads.size(); i++) loads[i] = get_load(&load[i * NUMBERS]);
+  motions.assign(loads.size(), Motion{});
+  add_pairs(pairs, 1.0 / (8.0 * PI * eta), loads.data(), motions.data());
   add_far();
+  std::fill(motion.begin(), motion.end(), 0.0);
+  for (std::size_t i = 0; i < motions.size(); i++) add_motion(motions[i], &motion[i * NUMBERS]);
+  comm->reverse_comm(fix);
   for (const int i : members) add_self(missing[i], &load[i * NUMBERS], &motion[i * NUMBERS]);
-  std::copy_n(motion.data(), size, motions);
-}
-
-void HydroField::add_near()
-{
-  const double factor = 1.0 / (8.0 * PI * eta);
-  for (const Pair &p : pairs) {
-    Motion of_i, of_j;
-    add_pair(p.response, factor, get_load(&load[p.i * NUMBERS]), get_load(&load[p.j * NUMBERS]),
-             of_i, of_j);
-    add_motion(of_i, &motion[p.i * NUMBERS]);
-    add_motion(of_j, &motion[p.j * NUMBERS]);
-  }
+  std::copy_n(motion.data(), size, out);
 }
 
 /* ----------------------------------------------------------------------
@@ -147,9 +134,11 @@ void HydroField::add_near()
 void HydroField::add_far()
 {
   std::fill(waves.field.begin(), waves.field.end(), 0.0);
-  spread_all(stencils, members, bodies, load.data(), waves.field.data());
+  spread_all<WITH_COMPANION>(on_grid, waves.gradients(), waves.brick(), loads.data(),
+                             waves.field.data());
   waves.solve();
-  interpolate_all(stencils, members, bodies, waves.field.data(), motion.data());
+  interpolate_all<WITH_COMPANION>(on_grid, waves.gradients(), waves.brick(), waves.field.data(),
+                                  motions.data());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -181,8 +170,10 @@ void HydroField::unpack_motions(int n, const int *list, const double *buf)
 
 double HydroField::memory_usage() const
 {
-  return waves.memory_usage() + stencils.memory_usage() +
-      static_cast<double>(pairs.capacity() * sizeof(Pair) + bodies.capacity() * sizeof(Body) +
+  return waves.memory_usage() +
+      static_cast<double>(pairs.capacity() * sizeof(PairBlock) +
+                          on_grid.capacity() * sizeof(OnGrid) + bodies.capacity() * sizeof(Body) +
                           2 * missing.capacity() * sizeof(Self) +
-                          (load.capacity() + motion.capacity()) * sizeof(double));
+                          (load.capacity() + motion.capacity()) * sizeof(double) +
+                          loads.capacity() * (sizeof(Load) + sizeof(Motion)));
 }

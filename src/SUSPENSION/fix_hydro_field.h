@@ -11,7 +11,9 @@
 #define LMP_FIX_HYDRO_FIELD_H
 
 #include "fix_hydro_waves.h"
-#include "hydro_grid.h"
+#include "hydro_pairs.h"
+#include "hydro_spread.h"
+#include "hydro_wide.h"
 #include "pointers.h"
 
 #include <vector>
@@ -27,10 +29,10 @@ class NeighList;
 class HydroField : protected Pointers {
  public:
   struct Settings {
-    double width = 1.0;       // over the mean radius; the others over that width
-    double spacing = 0.82;    // of the grid
-    double support = 4.5;     // of the Gaussians
-    double reach = 5.0;       // of pairs
+    double width = 1.0;      // over the mean radius; the others over that width
+    double spacing = 0.9;    // of the grid
+    double reach = 5.0;      // of pairs
+    int points = 6;          // of the splines
   };
 
   HydroField(LAMMPS *, Fix *);
@@ -58,20 +60,17 @@ class HydroField : protected Pointers {
   double memory_usage() const;
 
  private:
-  struct Pair {
-    int i, j;
-    Hydro_NS::PairResponse response;
-  };
-
   Fix *fix;
   double width, eta;
   HydroWaves waves;
-  Hydro_NS::Stencils stencils;           // of members
-  std::vector<int> members;              // of this rank
-  std::vector<Hydro_NS::Body> bodies;    // of all particles and ghosts
+  std::vector<Hydro_NS::OnGrid> on_grid;    // members
+  std::vector<int> members;                 // of this rank
+  std::vector<Hydro_NS::Body> bodies;       // of all particles and ghosts
   std::vector<Hydro_NS::Self> of_sphere, missing;
-  std::vector<Pair> pairs;
+  std::vector<Hydro_NS::PairBlock> pairs;
   std::vector<double> load, motion;    // of ghosts, too
+  std::vector<Hydro_NS::Load> loads;
+  std::vector<Hydro_NS::Motion> motions;
 
   void find_members(int groupbit);
   void find_pairs(double cut, int groupbit, NeighList *);

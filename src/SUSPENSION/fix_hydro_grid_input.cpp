@@ -34,7 +34,7 @@ static const std::map<std::string, std::string> KEYWORDS = {{"viscosity", "eta|p
                                                             {"tol", "t"},
                                                             {"width", "w"},
                                                             {"spacing", "h"},
-                                                            {"support", "s"},
+                                                            {"points", "p"},
                                                             {"reach", "rc"},
                                                             {"hold", "auto|z_force ..."}};
 
@@ -87,8 +87,11 @@ int HydroGrid::parse_keyword(int iarg, int narg, char **arg, BackgroundFluid::Ch
                  "Fix hydro spacing must be <= 1, in widths of the Gaussians, which the grid "
                  "resolves no longer at {}",
                  arg[iarg + 1]);
-  } else if (key == "support") {
-    s.field.support = at_least(iarg + 1, 3.0);
+  } else if (key == "points") {
+    s.field.points = utils::inumeric(FLERR, arg[iarg + 1], false, lmp);
+    if (s.field.points < 4 || s.field.points > Hydro_NS::MOST_POINTS || s.field.points % 2)
+      error->all(FLERR, iarg + 1, "Fix hydro points must be 4, 6, 8, 10 or 12, but is {}",
+                 arg[iarg + 1]);
   } else if (key == "reach") {
     s.field.reach = at_least(iarg + 1, 3.0);
   } else {    // hold

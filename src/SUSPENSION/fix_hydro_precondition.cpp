@@ -24,24 +24,24 @@ using namespace Hydro_NS;
 
 /* ---------------------------------------------------------------------- */
 
-HydroPreconditioner::HydroPreconditioner(LAMMPS *lmp) : Pointers(lmp), waves(lmp), fraction(0.0) {}
+HydroPreconditioner::HydroPreconditioner(LAMMPS *lmp) :
+    Pointers(lmp), waves(lmp, VECTOR), fraction(0.0)
+{
+}
 
 /* ---------------------------------------------------------------------- */
 
 void HydroPreconditioner::prepare(const HydroField &field, double mean_radius)
 {
-  waves.fit(COARSE_SPACING * mean_radius);
-  const Hydro_NS::Lattice &lattice = waves.lattice();
-  gradients = lattice_gradients(lattice);
-  Vec3 low, high;
-  const bool any = waves.corners(field.particles(), low, high);
-  waves.set_brick(any ? spline_brick(low, high) : Brick{});
-
+  waves.fit(COARSE_SPACING * mean_radius, COARSE_POINTS);
+  waves.reach_for(field.particles());
+  loads.resize(atom->nlocal);
   members.clear();
+  selves.clear();
   double mine[2] = {}, all[2];
   for (const int i : field.particles()) {
-    members.push_back(
-        {i, 1.0, field.self(i), spline_at(lattice, Lubcontact_NS::get_vector(atom->x[i]))});
+    members.push_back({i, {}, waves.spline(i)});
+    selves.push_back(field.self(i));
     mine[0] += Suspension_NS::particle_volume(domain, atom->radius[i]);
     mine[1] += 1.0 / field.self(i).translation;
   }
@@ -50,16 +50,14 @@ void HydroPreconditioner::prepare(const HydroField &field, double mean_radius)
   find_weights(mean_radius, all[1]);
 }
 
-/* ----------------------------------------------------------------------
-   what makes a density of what is spread and interpolated, times the volume of the cell
-------------------------------------------------------------------------- */
-
-double HydroPreconditioner::density_factor(const WaveVector &wave) const
+void HydroPreconditioner::through_grid()
 {
-  const Hydro_NS::Lattice &grid = waves.lattice();
-  const double t = spline_wave(wave.number[0], grid.nx) * spline_wave(wave.number[1], grid.ny) *
-      spline_wave(wave.number[2], grid.nz);
-  return static_cast<double>(grid.points()) / (t * t);
+  motions.assign(loads.size(), Motion{});
+  std::fill(waves.field.begin(), waves.field.end(), 0.0);
+  spread_all<VECTOR>(members, waves.gradients(), waves.brick(), loads.data(), waves.field.data());
+  waves.solve();
+  interpolate_all<VECTOR>(members, waves.gradients(), waves.brick(), waves.field.data(),
+                          motions.data());
 }
 
 /* ----------------------------------------------------------------------
@@ -69,25 +67,20 @@ double HydroPreconditioner::density_factor(const WaveVector &wave) const
 void HydroPreconditioner::find_weights(double mean_radius, double resistance)
 {
   const Screening screening{fraction};
-  const auto on_grid = [&](const WaveVector &wave) {
-    return density_factor(wave) / resistance;
-  };
+  const double per_resistance = waves.lattice().volume() / resistance;
   waves.set_response([&](const WaveVector &wave) {
-    const double f = on_grid(wave) * screening.smoothing(std::sqrt(wave.square) * mean_radius);
+    const double f = per_resistance * screening.smoothing(std::sqrt(wave.square) * mean_radius);
     return WaveFactors{f, f};
   });
-  std::fill(waves.field.begin(), waves.field.end(), 0.0);
-  for (const Member &m : members)
-    spread(m.spline, gradients, waves.brick(), {{1.0 / m.self.translation, 0.0, 0.0}, {}},
-           waves.field.data());
-  waves.solve();
-  for (Member &m : members)
-    m.weight = coarse_weight(
-        interpolate(m.spline, gradients, waves.brick(), waves.field.data()).velocity.x);
+  for (std::size_t n = 0; n < members.size(); n++)
+    loads[members[n].atom] = {{1.0 / selves[n].translation, 0.0, 0.0}, {}};
+  through_grid();
+  weights.clear();
+  for (const OnGrid &m : members) weights.push_back(coarse_weight(motions[m.atom].velocity.x));
 
   waves.set_response([&](const WaveVector &wave) {
     const WaveFactors f = screening.factors(std::sqrt(wave.square) * mean_radius);
-    return WaveFactors{on_grid(wave) * f.across, on_grid(wave) * f.along};
+    return WaveFactors{per_resistance * f.across, per_resistance * f.along};
   });
 }
 
@@ -97,57 +90,53 @@ void HydroPreconditioner::find_weights(double mean_radius, double resistance)
 
 std::vector<double> HydroPreconditioner::find_neighborhoods()
 {
-  const Hydro_NS::Lattice &grid = waves.lattice();
   double mine[2] = {}, all[2];
-  for (const Member &m : members) {
+  for (const OnGrid &m : members) {
     const double volume = Suspension_NS::particle_volume(domain, atom->radius[m.atom]);
     mine[0] += volume;
     mine[1] += volume * atom->radius[m.atom];
+    loads[m.atom] = {{volume, 0.0, 0.0}, {}};
   }
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
   const double size = all[0] > 0.0 ? all[1] / all[0] : 0.0;
   waves.set_response([&](const WaveVector &wave) {
-    const double f =
-        density_factor(wave) / grid.volume() * neighborhood(std::sqrt(wave.square) * size);
+    const double f = neighborhood(std::sqrt(wave.square) * size);
     return WaveFactors{f, f};
   });
-  std::fill(waves.field.begin(), waves.field.end(), 0.0);
-  for (const Member &m : members)
-    spread(m.spline, gradients, waves.brick(),
-           {{Suspension_NS::particle_volume(domain, atom->radius[m.atom]), 0.0, 0.0}, {}},
-           waves.field.data());
-  waves.solve();
+  through_grid();
   std::vector<double> found;
-  for (const Member &m : members)
-    found.push_back(interpolate(m.spline, gradients, waves.brick(), waves.field.data()).velocity.x);
+  for (const OnGrid &m : members) found.push_back(motions[m.atom].velocity.x);
   return found;
 }
 
 /* ---------------------------------------------------------------------- */
 
-void HydroPreconditioner::apply_alone(const double *motions, double *loads) const
+void HydroPreconditioner::apply_alone(const double *velocities, double *found) const
 {
-  std::fill_n(loads, static_cast<std::size_t>(atom->nlocal) * NUMBERS, 0.0);
-  for (const Member &m : members)
-    add_resistance(m.self, motions + m.atom * NUMBERS, loads + m.atom * NUMBERS);
+  std::fill_n(found, static_cast<std::size_t>(atom->nlocal) * NUMBERS, 0.0);
+  for (std::size_t n = 0; n < members.size(); n++) {
+    const std::size_t first = static_cast<std::size_t>(members[n].atom) * NUMBERS;
+    add_resistance(selves[n], velocities + first, found + first);
+  }
 }
 
-void HydroPreconditioner::apply(const double *motions, double *loads)
+void HydroPreconditioner::apply(const double *velocities, double *found)
 {
-  apply_alone(motions, loads);
-  std::fill(waves.field.begin(), waves.field.end(), 0.0);
-  for (const Member &m : members) {
+  apply_alone(velocities, found);
+  for (std::size_t n = 0; n < members.size(); n++) {
+    const int i = members[n].atom;
     double load[NUMBERS];
-    std::copy_n(loads + m.atom * NUMBERS, NUMBERS, load);
-    weigh_coarse(m.weight, load);
-    spread(m.spline, gradients, waves.brick(), get_load(load), waves.field.data());
+    std::copy_n(found + static_cast<std::size_t>(i) * NUMBERS, NUMBERS, load);
+    weigh_coarse(weights[n], load);
+    loads[i] = get_load(load);
   }
-  waves.solve();
-  for (const Member &m : members) {
+  through_grid();
+  for (std::size_t n = 0; n < members.size(); n++) {
+    const int i = members[n].atom;
     double motion[NUMBERS] = {};
-    add_motion(interpolate(m.spline, gradients, waves.brick(), waves.field.data()), motion);
-    weigh_coarse(m.weight, motion);
-    add_resistance(m.self, motion, loads + m.atom * NUMBERS);
+    add_motion(motions[i], motion);
+    weigh_coarse(weights[n], motion);
+    add_resistance(selves[n], motion, found + static_cast<std::size_t>(i) * NUMBERS);
   }
 }
 
@@ -155,5 +144,7 @@ void HydroPreconditioner::apply(const double *motions, double *loads)
 
 double HydroPreconditioner::memory_usage() const
 {
-  return waves.memory_usage() + static_cast<double>(members.capacity() * sizeof(Member));
+  return waves.memory_usage() +
+      static_cast<double>(members.capacity() * (sizeof(OnGrid) + sizeof(Self) + sizeof(double)) +
+                          loads.capacity() * (sizeof(Load) + sizeof(Motion)));
 }

@@ -11,7 +11,7 @@
 #define LMP_FIX_HYDRO_PRECONDITION_H
 
 #include "fix_hydro_waves.h"
-#include "hydro_spline.h"
+#include "hydro_spread.h"
 #include "hydro_wide.h"
 
 namespace LAMMPS_NS {
@@ -35,20 +35,16 @@ class HydroPreconditioner : protected Pointers {
   double memory_usage() const;
 
  private:
-  struct Member {
-    int atom;
-    double weight;
-    Hydro_NS::Self self;
-    Hydro_NS::Spline spline;
-  };
-
   HydroWaves waves;
-  Hydro_NS::LatticeGradients gradients;
-  std::vector<Member> members;
+  std::vector<Hydro_NS::OnGrid> members;
+  std::vector<Hydro_NS::Self> selves;    // of each of them
+  std::vector<double> weights;
+  std::vector<Hydro_NS::Load> loads;    // of the particles of this rank
+  std::vector<Hydro_NS::Motion> motions;
   double fraction;
 
-  double density_factor(const Hydro_NS::WaveVector &) const;
   void find_weights(double mean_radius, double resistance);
+  void through_grid();    // loads to motions
 };
 
 }    // namespace LAMMPS_NS

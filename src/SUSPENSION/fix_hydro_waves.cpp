@@ -13,7 +13,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "hydro_grid.h"
 
 #ifdef SUSPENSION_FFTW
 #include "hydro_solve.h"
@@ -29,7 +28,10 @@ using namespace Hydro_NS;
 
 #ifdef SUSPENSION_FFTW
 struct LAMMPS_NS::HydroTransforms {
-  HydroTransforms(const Points &points, int rank, int ranks) : solver(points, rank, ranks) {}
+  HydroTransforms(const Points &points, int rank, int ranks, int components) :
+      solver(points, rank, ranks, components)
+  {
+  }
   StokesSolver solver;
 };
 #else
@@ -38,38 +40,37 @@ struct LAMMPS_NS::HydroTransforms {};
 
 /* ---------------------------------------------------------------------- */
 
-HydroWaves::HydroWaves(LAMMPS *lmp) : Pointers(lmp) {}
+HydroWaves::HydroWaves(LAMMPS *lmp, int numbers) :
+    Pointers(lmp), order(0), components(numbers), to()
+{
+}
 
 HydroWaves::~HydroWaves() = default;
 
 /* ----------------------------------------------------------------------
-   Waves are resolved alike in all directions if the points are as close along the edges of the
-   cell. A cell that flips is leaned by half of its width at most: a number of points for that
-   stays the same while it shears.
+   A cell that flips is leaned by half of its width at most: a number of points for that stays the
+   same while it shears.
 ------------------------------------------------------------------------- */
 
-void HydroWaves::fit(double spacing)
+void HydroWaves::fit(double spacing, int points_of_splines)
 {
   const double *lo = domain->boxlo;
-  grid.cell = {{lo[0], lo[1], lo[2]},
-               domain->xprd,
-               domain->yprd,
-               domain->zprd,
-               domain->xy,
-               domain->xz,
-               domain->yz};
-  const double lean = domain->triclinic ? MAX(fabs(domain->xy), 0.5 * domain->xprd) : 0.0;
-  const double edges[3] = {
-      domain->xprd, std::hypot(domain->yprd, lean),
-      std::sqrt(domain->zprd * domain->zprd + domain->xz * domain->xz + domain->yz * domain->yz)};
+  const Hydro_NS::Cell cell = {{lo[0], lo[1], lo[2]},
+                               domain->xprd,
+                               domain->yprd,
+                               domain->zprd,
+                               domain->xy,
+                               domain->xz,
+                               domain->yz};
   const Points before = points();
-  grid.nx = good_number(edges[0] / spacing);
-  grid.ny = good_number(edges[1] / spacing);
-  grid.nz = good_number(edges[2] / spacing);
+  order = points_of_splines;
+  grid = lattice_for(cell, spacing,
+                     domain->triclinic ? MAX(fabs(domain->xy), 0.5 * domain->xprd) : 0.0);
+  to = lattice_gradients(grid);
   if (transforms && points() == before) return;
 #ifdef SUSPENSION_FFTW
   transforms.reset();    // first, for its memory
-  transforms = std::make_unique<HydroTransforms>(points(), comm->me, comm->nprocs);
+  transforms = std::make_unique<HydroTransforms>(points(), comm->me, comm->nprocs, components);
 #endif
 }
 
@@ -77,31 +78,34 @@ void HydroWaves::set_response(
     [[maybe_unused]] const std::function<WaveFactors(const WaveVector &)> &f)
 {
 #ifdef SUSPENSION_FFTW
-  transforms->solver.set_response(grid.cell, f);
+  const double density = 1.0 / grid.point_volume();
+  const auto response = [&](const WaveVector &wave) {
+    const double spline = spline_wave(wave.number[0], grid.nx, order) *
+        spline_wave(wave.number[1], grid.ny, order) * spline_wave(wave.number[2], grid.nz, order);
+    const double both = density / (spline * spline);
+    const WaveFactors plain = f(wave);
+    return WaveFactors{both * plain.across, both * plain.along};
+  };
+  transforms->solver.set_response(grid.cell, response);
 #endif
+}
+
+Spline HydroWaves::spline(int i) const
+{
+  return spline_at(grid, Lubcontact_NS::get_vector(atom->x[i]), order);
 }
 
 /* ---------------------------------------------------------------------- */
 
-bool HydroWaves::corners(const std::vector<int> &atoms, Vec3 &low, Vec3 &high) const
+void HydroWaves::reach_for(const std::vector<int> &atoms)
 {
-  low = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  high = -1.0 * low;
+  Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -1.0 * low;
   for (const int i : atoms) {
     const Vec3 g = lattice_place(grid, Lubcontact_NS::get_vector(atom->x[i]));
     low = {MIN(low.x, g.x), MIN(low.y, g.y), MIN(low.z, g.z)};
     high = {MAX(high.x, g.x), MAX(high.y, g.y), MAX(high.z, g.z)};
   }
-  return !atoms.empty();
-}
-
-/* ----------------------------------------------------------------------
-   and how much the ranks exchange
-------------------------------------------------------------------------- */
-
-void HydroWaves::set_brick(const Brick &of_rank)
-{
-  mine = of_rank;
+  mine = atoms.empty() ? Brick{} : spline_brick(low, high, order);
   const int ranks = comm->nprocs;
   bricks.resize(ranks);
   static_assert(sizeof(Brick) == 6 * sizeof(int), "exchanged as integers");
@@ -112,8 +116,8 @@ void HydroWaves::set_brick(const Brick &of_rank)
   received.assign(ranks, 0);
   std::size_t out_size = 0, in_size = 0;
   for (int r = 0; r < ranks; r++) {
-    const std::size_t there = numbers_in(mine, points(), share(grid.nz, r, ranks));
-    const std::size_t here = numbers_in(bricks[r], points(), layers);
+    const std::size_t there = numbers_in(mine, points(), share(grid.nz, r, ranks), components);
+    const std::size_t here = numbers_in(bricks[r], points(), layers, components);
     out_size += there;
     in_size += here;
     sent[r] = static_cast<int>(there);
@@ -126,7 +130,7 @@ void HydroWaves::set_brick(const Brick &of_rank)
   received_from.assign(ranks, 0);
   std::partial_sum(sent.begin(), sent.end() - 1, sent_from.begin() + 1);
   std::partial_sum(received.begin(), received.end() - 1, received_from.begin() + 1);
-  field.resize(3 * mine.points() + Stencils::PADDING);
+  field.resize(padded(components) * mine.points());
   out.resize(out_size);
   in.resize(in_size);
 }
@@ -138,20 +142,31 @@ void HydroWaves::solve()
 #ifdef SUSPENSION_FFTW
   StokesSolver &solver = transforms->solver;
   const int ranks = comm->nprocs;
+  const auto exchange_points = [this](std::vector<double> &from, const std::vector<int> &number,
+                                      const std::vector<int> &start, std::vector<double> &here,
+                                      const std::vector<int> &number_here,
+                                      const std::vector<int> &start_here) {
+    if (comm->nprocs == 1)
+      from.swap(here);
+    else
+      MPI_Alltoallv(from.data(), number.data(), start.data(), MPI_DOUBLE, here.data(),
+                    number_here.data(), start_here.data(), MPI_DOUBLE, world);
+  };
   for (int r = 0; r < ranks; r++)
-    pack_brick(mine, points(), share(grid.nz, r, ranks), field.data(), out.data() + sent_from[r]);
-  MPI_Alltoallv(out.data(), sent.data(), sent_from.data(), MPI_DOUBLE, in.data(), received.data(),
-                received_from.data(), MPI_DOUBLE, world);
-  std::fill_n(solver.field(), 3 * solver.points(), 0.0);
+    pack_brick(mine, points(), share(grid.nz, r, ranks), components, field.data(),
+               out.data() + sent_from[r]);
+  exchange_points(out, sent, sent_from, in, received, received_from);
+  std::fill_n(solver.field(), components * solver.points(), 0.0);
   for (int r = 0; r < ranks; r++)
-    add_to_layers(bricks[r], points(), solver.layers(), in.data() + received_from[r],
+    add_to_layers(bricks[r], points(), solver.layers(), components, in.data() + received_from[r],
                   solver.field());
 
-  const auto exchange = [&](const std::vector<int> &to, const std::vector<int> &from) {
-    std::vector<int> starts_to(ranks), starts_from(ranks);
-    std::partial_sum(to.begin(), to.end() - 1, starts_to.begin() + 1);
+  const auto exchange = [&](const std::vector<int> &number, const std::vector<int> &from) {
+    if (ranks == 1) return solver.exchange_alone();
+    std::vector<int> starts(ranks), starts_from(ranks);
+    std::partial_sum(number.begin(), number.end() - 1, starts.begin() + 1);
     std::partial_sum(from.begin(), from.end() - 1, starts_from.begin() + 1);
-    MPI_Alltoallv(solver.outbox(), to.data(), starts_to.data(), MPI_DOUBLE_COMPLEX, solver.inbox(),
+    MPI_Alltoallv(solver.outbox(), number.data(), starts.data(), MPI_DOUBLE_COMPLEX, solver.inbox(),
                   from.data(), starts_from.data(), MPI_DOUBLE_COMPLEX, world);
   };
   solver.to_waves();
@@ -161,12 +176,12 @@ void HydroWaves::solve()
   solver.to_velocities();
 
   for (int r = 0; r < ranks; r++)
-    take_from_layers(bricks[r], points(), solver.layers(), solver.field(),
+    take_from_layers(bricks[r], points(), solver.layers(), components, solver.field(),
                      in.data() + received_from[r]);
-  MPI_Alltoallv(in.data(), received.data(), received_from.data(), MPI_DOUBLE, out.data(),
-                sent.data(), sent_from.data(), MPI_DOUBLE, world);
+  exchange_points(in, received, received_from, out, sent, sent_from);
   for (int r = 0; r < ranks; r++)
-    unpack_brick(mine, points(), share(grid.nz, r, ranks), out.data() + sent_from[r], field.data());
+    unpack_brick(mine, points(), share(grid.nz, r, ranks), components, out.data() + sent_from[r],
+                 field.data());
 #endif
 }
 

@@ -11,6 +11,7 @@
 #define LMP_FIX_HYDRO_WAVES_H
 
 #include "hydro_layers.h"
+#include "hydro_spline.h"
 #include "hydro_waves.h"
 #include "pointers.h"
 
@@ -27,24 +28,29 @@ struct HydroTransforms;
 // has the response.
 class HydroWaves : protected Pointers {
  public:
-  HydroWaves(LAMMPS *);
+  HydroWaves(LAMMPS *, int components);
   ~HydroWaves() override;
 
-  void fit(double spacing);    // to the present cell
+  void fit(double spacing, int points);    // to the present cell; with splines of so many points
   const Hydro_NS::Lattice &lattice() const { return grid; }
+  const Hydro_NS::LatticeGradients &gradients() const { return to; }
+
+  // Of densities to their means: what the splines do to a wave is taken out of it.
   void set_response(const std::function<Hydro_NS::WaveFactors(const Hydro_NS::WaveVector &)> &);
 
-  // of the lattice coordinates of some particles; false without any
-  bool corners(const std::vector<int> &atoms, Hydro_NS::Vec3 &low, Hydro_NS::Vec3 &high) const;
-  void set_brick(const Hydro_NS::Brick &);    // all ranks together
+  void reach_for(const std::vector<int> &atoms);    // of this rank; all ranks together
   const Hydro_NS::Brick &brick() const { return mine; }
+  Hydro_NS::Spline spline(int atom) const;
 
   std::vector<double> field;    // of the brick
   void solve();
   double memory_usage() const;
 
  private:
+  int order;
+  const int components;
   Hydro_NS::Lattice grid;
+  Hydro_NS::LatticeGradients to;
   Hydro_NS::Brick mine;
   std::unique_ptr<HydroTransforms> transforms;
   std::vector<Hydro_NS::Brick> bricks;    // of all ranks

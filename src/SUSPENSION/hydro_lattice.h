@@ -29,14 +29,21 @@ using Pore_NS::Cell;
 struct Lattice {
   Cell cell;
   int nx = 1, ny = 1, nz = 1;
-  double width = 1.0, reach = 4.5;    // of the Gaussian; where it is cut off
 
   double volume() const { return cell.xprd * cell.yprd * cell.zprd; }
   std::size_t points() const { return static_cast<std::size_t>(nx) * ny * nz; }
   double point_volume() const { return volume() / static_cast<double>(points()); }
 };
 
-// A box of points, x fastest, three values each: one array after the other.
+// Components of a field: three of a vector; with its companion six (hydro_spline.h). In the memory
+// of a brick those of a point are together and padded, the rest being 0.
+static constexpr int VECTOR = 3, WITH_COMPANION = 6;
+constexpr int padded(int components)
+{
+  return components > 4 ? 8 : 4;
+}
+
+// A box of points, x fastest.
 struct Brick {
   int low[3] = {0, 0, 0}, size[3] = {0, 0, 0};
 
@@ -71,26 +78,6 @@ inline LatticeGradients lattice_gradients(const Lattice &lattice)
           static_cast<double>(lattice.nz) * z};
 }
 
-// half widths of a stencil in lattice coordinates
-inline Vec3 lattice_reach(const Lattice &lattice)
-{
-  const LatticeGradients g = lattice_gradients(lattice);
-  return {lattice.reach * norm(g.x), lattice.reach * norm(g.y), lattice.reach * norm(g.z)};
-}
-
-inline Brick brick_for(const Lattice &lattice, const Vec3 &low, const Vec3 &high)
-{
-  const Vec3 reach = lattice_reach(lattice);
-  const double from[3] = {low.x - reach.x, low.y - reach.y, low.z - reach.z};
-  const double to[3] = {high.x + reach.x, high.y + reach.y, high.z + reach.z};
-  Brick b;
-  for (int d = 0; d < 3; d++) {
-    b.low[d] = static_cast<int>(std::floor(from[d]));
-    b.size[d] = static_cast<int>(std::ceil(to[d])) - b.low[d] + 1;
-  }
-  return b;
-}
-
 // Points for a spacing: a number with small factors only, which transforms like.
 inline int good_number(double least)
 {
@@ -101,6 +88,14 @@ inline int good_number(double least)
       while (rest % factor == 0) rest /= factor;
     if (rest == 1) return n;
   }
+}
+
+// Waves are resolved alike in all directions if the points are as close along the edges of the
+// cell; lean: by how much the second edge leans along the first one.
+inline Lattice lattice_for(const Cell &c, double spacing, double lean)
+{
+  return {c, good_number(c.xprd / spacing), good_number(std::hypot(c.yprd, lean) / spacing),
+          good_number(std::sqrt(c.zprd * c.zprd + c.xz * c.xz + c.yz * c.yz) / spacing)};
 }
 
 }    // namespace LAMMPS_NS::Hydro_NS

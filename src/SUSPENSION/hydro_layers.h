@@ -53,33 +53,37 @@ void for_each_row_in(const Brick &brick, const Points &points, const Share &laye
 }
 
 // numbers to exchange
-inline std::size_t numbers_in(const Brick &brick, const Points &points, const Share &layers)
+inline std::size_t numbers_in(const Brick &brick, const Points &points, const Share &layers,
+                              int components)
 {
   std::size_t rows = 0;
   for_each_row_in(brick, points, layers, [&](int, int) {
     rows++;
   });
-  return 3 * rows * brick.size[0];
+  return components * rows * brick.size[0];
 }
 
-// what a brick has in some layers, as a row of numbers, and back
+// What a brick has in some layers, row by row, the components of each in turn, and back.
 inline void pack_brick(const Brick &brick, const Points &points, const Share &layers,
-                       const double *field, double *numbers)
+                       int components, const double *field, double *numbers)
 {
-  for (int c = 0; c < 3; c++, field += brick.points())
-    for_each_row_in(brick, points, layers, [&](int j, int k) {
-      numbers = std::copy_n(field + brick.index(brick.low[0], j, k), brick.size[0], numbers);
-    });
+  const int stride = padded(components);
+  for_each_row_in(brick, points, layers, [&](int j, int k) {
+    const double *row = field + stride * brick.index(brick.low[0], j, k);
+    for (int c = 0; c < components; c++, numbers += brick.size[0])
+      for (int i = 0; i < brick.size[0]; i++) numbers[i] = row[stride * i + c];
+  });
 }
 
 inline void unpack_brick(const Brick &brick, const Points &points, const Share &layers,
-                         const double *numbers, double *field)
+                         int components, const double *numbers, double *field)
 {
-  for (int c = 0; c < 3; c++, field += brick.points())
-    for_each_row_in(brick, points, layers, [&](int j, int k) {
-      std::copy_n(numbers, brick.size[0], field + brick.index(brick.low[0], j, k));
-      numbers += brick.size[0];
-    });
+  const int stride = padded(components);
+  for_each_row_in(brick, points, layers, [&](int j, int k) {
+    double *row = field + stride * brick.index(brick.low[0], j, k);
+    for (int c = 0; c < components; c++, numbers += brick.size[0])
+      for (int i = 0; i < brick.size[0]; i++) row[stride * i + c] = numbers[i];
+  });
 }
 
 // Calls f(number, points, from): pieces of the row of a brick, in turn, that are contiguous in a
@@ -93,37 +97,35 @@ template <class F> void for_each_piece(const Brick &brick, int nx, F &&f)
   }
 }
 
-// the same numbers, added to layers or taken from them
+// the same numbers, added to layers or taken from them, which have one component after the other
 inline void add_to_layers(const Brick &brick, const Points &points, const Share &layers,
-                          const double *numbers, double *field)
+                          int components, const double *numbers, double *field)
 {
   const int nx = points[0], ny = points[1];
   const std::size_t component = static_cast<std::size_t>(nx) * ny * layers.number();
-  for (int c = 0; c < 3; c++, field += component)
-    for_each_row_in(brick, points, layers, [&](int j, int k) {
-      const int layer = wrapped(k, points[2]) - layers.first;
-      double *row = field + (static_cast<std::size_t>(layer) * ny + wrapped(j, ny)) * nx;
+  for_each_row_in(brick, points, layers, [&](int j, int k) {
+    const int layer = wrapped(k, points[2]) - layers.first;
+    double *row = field + (static_cast<std::size_t>(layer) * ny + wrapped(j, ny)) * nx;
+    for (int c = 0; c < components; c++, row += component, numbers += brick.size[0])
       for_each_piece(brick, nx, [&](int from, int number, int to) {
         for (int n = 0; n < number; n++) row[to + n] += numbers[from + n];
       });
-      numbers += brick.size[0];
-    });
+  });
 }
 
 inline void take_from_layers(const Brick &brick, const Points &points, const Share &layers,
-                             const double *field, double *numbers)
+                             int components, const double *field, double *numbers)
 {
   const int nx = points[0], ny = points[1];
   const std::size_t component = static_cast<std::size_t>(nx) * ny * layers.number();
-  for (int c = 0; c < 3; c++, field += component)
-    for_each_row_in(brick, points, layers, [&](int j, int k) {
-      const int layer = wrapped(k, points[2]) - layers.first;
-      const double *row = field + (static_cast<std::size_t>(layer) * ny + wrapped(j, ny)) * nx;
+  for_each_row_in(brick, points, layers, [&](int j, int k) {
+    const int layer = wrapped(k, points[2]) - layers.first;
+    const double *row = field + (static_cast<std::size_t>(layer) * ny + wrapped(j, ny)) * nx;
+    for (int c = 0; c < components; c++, row += component, numbers += brick.size[0])
       for_each_piece(brick, nx, [&](int to, int number, int from) {
         std::copy_n(row + from, number, numbers + to);
       });
-      numbers += brick.size[0];
-    });
+  });
 }
 
 }    // namespace LAMMPS_NS::Hydro_NS

@@ -32,6 +32,7 @@
 namespace LAMMPS_NS::Hydro_NS {
 
 static constexpr double COARSE_SPACING = 1.25;     // of the grid, in mean radii
+static constexpr int COARSE_POINTS = 4;            // of its splines, in each direction
 static constexpr double COARSE_STRESSLET = 0.4;    // weight of stresslets on the grid
 
 // w_T and w_L over 1/sum 6 pi eta a, fitted to random dispersions of equal spheres with volume

@@ -11,6 +11,9 @@
 // transforms: hydro_waves.h says what becomes of a wave. Transforms: M. Frigo, S.G. Johnson, Proc.
 // IEEE 93, 216 (2005); their plans are estimated, not measured: each run then computes the same.
 //
+// A field may have a companion f' and stands for f + lap f' then; so does the response have that of
+// lap u.
+//
 // Several ranks share the grid: each has some layers in z of the force, and some rows in y of its
 // waves. Between the two all ranks exchange what they have of each other's.
 
@@ -34,13 +37,12 @@ class StokesSolver {
  public:
   using Complex = std::complex<double>;
 
-  StokesSolver(const std::array<int, 3> &points, int rank, int ranks);
+  StokesSolver(const std::array<int, 3> &points, int rank, int ranks, int components = VECTOR);
 
   Share layers() const { return share(nz, me, ranks); }
   std::size_t points() const { return static_cast<std::size_t>(nx) * ny * layers().number(); }
 
-  // three values each of the layers of this rank, one array after the other: forces, then
-  // velocities
+  // the components in the layers of this rank, one array after the other: forces, then velocities
   double *field() { return real.get(); }
   const double *field() const { return real.get(); }
 
@@ -57,6 +59,7 @@ class StokesSolver {
 
   const Complex *outbox() const { return out.data(); }
   Complex *inbox() { return in.data(); }
+  void exchange_alone() { out.swap(in); }    // of a rank that is the only one
   const std::vector<int> &of_forces() const { return of_planes; }    // exchanged for waves
   const std::vector<int> &of_waves() const { return of_columns; }
 
@@ -69,7 +72,7 @@ class StokesSolver {
   };
   using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, Free>;
 
-  int nx, ny, nz, me, ranks;
+  int nx, ny, nz, me, ranks, components;
   int half;    // waves along x
   std::unique_ptr<double, Free> real;
   std::unique_ptr<fftw_complex, Free> plane, column;    // layers in z; rows in y, z next
@@ -87,32 +90,33 @@ class StokesSolver {
   template <class F> void for_each_wave(F &&) const;
 };
 
-inline StokesSolver::StokesSolver(const std::array<int, 3> &number, int rank, int all) :
-    nx(number[0]), ny(number[1]), nz(number[2]), me(rank), ranks(all), half(nx / 2 + 1)
+inline StokesSolver::StokesSolver(const std::array<int, 3> &number, int rank, int all, int values) :
+    nx(number[0]), ny(number[1]), nz(number[2]), me(rank), ranks(all), components(values),
+    half(nx / 2 + 1)
 {
   const int layer = nx * ny, mine = layers().number(), my_rows = rows().number();
-  const std::size_t planes = 3 * mine * plane_size();
-  const std::size_t columns = static_cast<std::size_t>(3) * my_rows * nz * half;
-  real.reset(fftw_alloc_real(3 * points() + 1));
+  const std::size_t planes = components * mine * plane_size();
+  const std::size_t columns = static_cast<std::size_t>(components) * my_rows * nz * half;
+  real.reset(fftw_alloc_real(components * points() + 1));
   plane.reset(fftw_alloc_complex(planes + 1));
   column.reset(fftw_alloc_complex(columns + 1));
   if (!real || !plane || !column) throw std::bad_alloc();
   out.resize(std::max(planes, columns) + 1);
   in.resize(out.size());
   for (int r = 0; r < ranks; r++) {
-    of_planes.push_back(3 * mine * share(ny, r, ranks).number() * half);
-    of_columns.push_back(3 * my_rows * share(nz, r, ranks).number() * half);
+    of_planes.push_back(components * mine * share(ny, r, ranks).number() * half);
+    of_columns.push_back(components * my_rows * share(nz, r, ranks).number() * half);
   }
   if (mine > 0) {
     const int n[2] = {ny, nx};
-    forward.reset(fftw_plan_many_dft_r2c(2, n, 3 * mine, real.get(), nullptr, 1, layer, plane.get(),
-                                         nullptr, 1, ny * half, FFTW_ESTIMATE));
-    backward.reset(fftw_plan_many_dft_c2r(2, n, 3 * mine, plane.get(), nullptr, 1, ny * half,
-                                          real.get(), nullptr, 1, layer, FFTW_ESTIMATE));
+    forward.reset(fftw_plan_many_dft_r2c(2, n, components * mine, real.get(), nullptr, 1, layer,
+                                         plane.get(), nullptr, 1, ny * half, FFTW_ESTIMATE));
+    backward.reset(fftw_plan_many_dft_c2r(2, n, components * mine, plane.get(), nullptr, 1,
+                                          ny * half, real.get(), nullptr, 1, layer, FFTW_ESTIMATE));
   }
   if (my_rows > 0) {
     const fftw_iodim length = {nz, half, half};
-    const fftw_iodim many[2] = {{3 * my_rows, nz * half, nz * half}, {half, 1, 1}};
+    const fftw_iodim many[2] = {{components * my_rows, nz * half, nz * half}, {half, 1, 1}};
     const auto plan = [&](int sign) {
       return fftw_plan_guru_dft(1, &length, 2, many, column.get(), column.get(), sign,
                                 FFTW_ESTIMATE);
@@ -128,7 +132,7 @@ template <class F> void StokesSolver::for_each_plane_row(F &&f) const
 {
   for (int r = 0; r < ranks; r++) {
     const Share theirs = share(ny, r, ranks);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < components; c++)
       for (int k = 0; k < layers().number(); k++)
         for (int j = theirs.first; j < theirs.last; j++)
           f(((static_cast<std::size_t>(c) * layers().number() + k) * ny + j) * half);
@@ -139,7 +143,7 @@ template <class F> void StokesSolver::for_each_column_row(F &&f) const
 {
   for (int r = 0; r < ranks; r++) {
     const Share theirs = share(nz, r, ranks);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < components; c++)
       for (int k = theirs.first; k < theirs.last; k++)
         for (int j = 0; j < rows().number(); j++)
           f(((static_cast<std::size_t>(c) * rows().number() + j) * nz + k) * half);
@@ -211,15 +215,27 @@ inline void StokesSolver::respond()
   });
   if (along_z) fftw_execute(along_z.get());
   const std::size_t component = factors.size();
+  const bool companion = components == WITH_COMPANION;
   for_each_wave([&](const WaveVector &w, std::size_t n) {
     Complex &x = wave[n], &y = wave[n + component], &z = wave[n + 2 * component];
     const WaveFactors &f = factors[n];
+    Complex *other = companion ? wave + n + 3 * component : nullptr;
+    if (companion) {
+      x -= w.square * other[0];
+      y -= w.square * other[component];
+      z -= w.square * other[2 * component];
+    }
     const Complex along = w.square > 0.0
         ? (f.along - f.across) / w.square * (w.k.x * x + w.k.y * y + w.k.z * z)
         : 0.0;
     x = f.across * x + w.k.x * along;
     y = f.across * y + w.k.y * along;
     z = f.across * z + w.k.z * along;
+    if (companion) {
+      other[0] = -w.square * x;
+      other[component] = -w.square * y;
+      other[2 * component] = -w.square * z;
+    }
   });
   if (back_along_z) fftw_execute(back_along_z.get());
   Complex *to = out.data();
@@ -230,7 +246,8 @@ inline void StokesSolver::respond()
 
 inline double StokesSolver::memory_usage() const
 {
-  return static_cast<double>(3 * points() * sizeof(double) + 4 * in.size() * sizeof(Complex) +
+  return static_cast<double>(components * points() * sizeof(double) +
+                             4 * in.size() * sizeof(Complex) +
                              factors.size() * sizeof(WaveFactors));
 }
 

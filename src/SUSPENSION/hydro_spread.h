@@ -13,25 +13,40 @@
 #define LMP_HYDRO_SPREAD_H
 
 #include "each_processor.h"
-#include "hydro_grid.h"
+#include "hydro_spline.h"
+
+#include <vector>
 
 namespace LAMMPS_NS::Hydro_NS {
 
-// atoms: of the spheres of the stencils, NUMBERS for each atom
+// a sphere on the grid
+struct OnGrid {
+  int atom;
+  OfLaplacian c;
+  Spline spline;
+};
+
+// loads and motions of atoms
+template <int COMPONENTS>
 [[LUBCONTACT_EACH_PROCESSOR gnu::flatten, gnu::noinline]] static void
-spread_all(const Stencils &stencils, const std::vector<int> &atoms, const std::vector<Body> &bodies,
-           const double *loads, double *field)
+spread_all(const std::vector<OnGrid> &spheres, const LatticeGradients &to, const Brick &brick,
+           const Load *loads, double *field)
 {
-  for (std::size_t n = 0; n < atoms.size(); n++)
-    spread(stencils, n, bodies[atoms[n]], get_load(loads + atoms[n] * NUMBERS), field);
+  for (const OnGrid &s : spheres)
+    spread<COMPONENTS>(s.spline, to, brick, s.c, loads[s.atom], field);
 }
 
+template <int COMPONENTS>
 [[LUBCONTACT_EACH_PROCESSOR gnu::flatten, gnu::noinline]] static void
-interpolate_all(const Stencils &stencils, const std::vector<int> &atoms,
-                const std::vector<Body> &bodies, const double *field, double *motions)
+interpolate_all(const std::vector<OnGrid> &spheres, const LatticeGradients &to, const Brick &brick,
+                const double *field, Motion *motions)
 {
-  for (std::size_t n = 0; n < atoms.size(); n++)
-    add_motion(interpolate(stencils, n, bodies[atoms[n]], field), motions + atoms[n] * NUMBERS);
+  for (const OnGrid &s : spheres) {
+    const Motion m = interpolate<COMPONENTS>(s.spline, to, brick, s.c, field);
+    Motion &sum = motions[s.atom];
+    sum.velocity = sum.velocity + m.velocity;
+    sum.gradient = sum.gradient + m.gradient;
+  }
 }
 
 }    // namespace LAMMPS_NS::Hydro_NS

@@ -34,6 +34,15 @@ inline WaveFactors stokes_factors(const WaveVector &wave, double viscosity)
   return {wave.square > 0.0 ? 1.0 / (viscosity * wave.square) : 0.0, 0.0};
 }
 
+// Of forces that have become Gaussians of this width, as the velocities will be the means under
+// them.
+inline WaveFactors gaussian_factors(const WaveVector &wave, double viscosity, double width)
+{
+  const WaveFactors f = stokes_factors(wave, viscosity);
+  const double both = std::exp(-width * width * wave.square);
+  return {both * f.across, both * f.along};
+}
+
 inline int signed_wave(int m, int n)
 {
   return 2 * m < n ? m : m - n;

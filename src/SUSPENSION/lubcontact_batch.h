@@ -26,11 +26,12 @@ struct Batch {
   // in: i as seen from j, which is at rest in the origin
   Lanes x[3], v[3], omega_i[3], omega_j[3], radius_i, radius_j, a;
   Lanes g, asperity, alpha, eps_a, ln_eps, kt, mu;
-  Lanes least, shift, per_ramp;      // THRESHOLD
-  Lanes per_plastic;                 // THRESHOLD, where
-  bool plastic;                      // some pair has the law of friction brizmer
-  Lanes release_a, ln_release;       // ADHESION
-  Lanes repulsion, per_screening;    // REPULSION
+  Lanes least, shift, per_ramp;         // THRESHOLD
+  Lanes per_plastic;                    // THRESHOLD, where
+  bool plastic;                         // some pair has the law of friction brizmer
+  Lanes release_a, ln_release;          // ADHESION
+  Lanes repulsion, per_screening;       // REPULSION
+  Lanes restitution, mass_i, mass_j;    // RESTITUTION
   Lanes column[NUM_LAW_COLUMNS + 1];
   Lanes history[HISTORY];    // in and out
 
@@ -48,7 +49,7 @@ inline Batch idle_batch()
     b.x[0][l] = 2.0;
     b.radius_i[l] = b.radius_j[l] = b.a[l] = 1.0;
     b.g[l] = b.asperity[l] = b.alpha[l] = b.kt[l] = 1.0;
-    b.per_screening[l] = 1.0;
+    b.per_screening[l] = b.mass_i[l] = b.mass_j[l] = 1.0;
   }
   return b;
 }
@@ -84,14 +85,19 @@ template <class E> inline PairCoeffs coeffs_of_lane(const Batch &b, int l)
   if constexpr (E::adhesion) c.normal.gap.release_a = b.release_a[l];
   if constexpr (E::adhesion) c.normal.gap.ln_release = b.ln_release[l];
   if constexpr (E::repulsion) c.normal.repulsion = {b.repulsion[l], b.per_screening[l]};
+  if constexpr (E::restitution) c.restitution = b.restitution[l];
   copy_columns<E>([&](std::size_t n) { c.column[n] = b.column[n][l]; });
   return c;
 }
 
 template <class E> inline void step_lane(Batch &b, int l, const Film &f, double dt)
 {
-  const Body i{get_lane(b.x, l), get_lane(b.v, l), get_lane(b.omega_i, l), b.radius_i[l]};
-  const Body j{{}, {}, get_lane(b.omega_j, l), b.radius_j[l]};
+  Body i{get_lane(b.x, l), get_lane(b.v, l), get_lane(b.omega_i, l), b.radius_i[l]};
+  Body j{{}, {}, get_lane(b.omega_j, l), b.radius_j[l]};
+  if constexpr (E::restitution) {
+    i.mass = b.mass_i[l];
+    j.mass = b.mass_j[l];
+  }
   const PairGeometry g = pair_geometry(i.x, j.x, i.radius, j.radius, b.a[l]);
   const PairCoeffs c = coeffs_of_lane<E>(b, l);
   double history[E::HISTORY_SIZE + 1];

@@ -247,6 +247,26 @@ void lubcontact_checks::check_motion(LAMMPS *lmp, unsigned effects)
 }
 
 /* ----------------------------------------------------------------------
+   e is a share of a velocity that particles keep: without inertia they keep none
+------------------------------------------------------------------------- */
+
+void lubcontact_checks::check_restitution(LAMMPS *lmp, unsigned effects)
+{
+  if (!(effects & Lubcontact_NS::RESTITUTION)) return;
+  const int massless = Suspension_NS::groups_without_inertia(lmp);
+  const Atom *atom = lmp->atom;
+  int mine = 0, any;
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & massless) && atom->radius[i] > 0.0) mine = 1;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp->world);
+  if (any)
+    lmp->error->all(FLERR,
+                    "Pair style lubcontact restitution needs particles with inertia, but fix "
+                    "overdamped/sphere moves some without: leave restitution out of pair_coeff, or "
+                    "use fix nve/sphere");
+}
+
+/* ----------------------------------------------------------------------
    history is found by atom ID: a pair must not meet through two images
 ------------------------------------------------------------------------- */
 

@@ -52,6 +52,9 @@ namespace lubcontact_checks {
   // what moves the particles in a way that cannot be meant: a warning
   void check_motion(LAMMPS *, unsigned effects);
 
+  // dashpots between particles that move without inertia: an error
+  void check_restitution(LAMMPS *, unsigned effects);
+
   // a skin of the neighbor list that was not meant for particles of this size: a warning
   void check_skin(LAMMPS *, double largest_radius);
 

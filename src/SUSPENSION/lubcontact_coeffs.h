@@ -31,6 +31,7 @@ struct TypeCoeffs {
   double adhesion_a = 0.0;     // stretch that asperities hold, over the effective radius
   double repulsion = 0.0;      // force at closed gap
   double screening = 0.0;      // its length, length; 0: no repulsion
+  double restitution = 1.0;    // coefficient of restitution of dry contacts; 1: elastic
   FrictionLaw law = FrictionLaw::NONE;
 };
 
@@ -52,6 +53,7 @@ struct Column {
   bool zero;       // may be 0
   Mixing mixing;
   unsigned effects;    // whose law reads it as PairCoeffs::column; 0: it is there in another form
+  double most = HUGE_VAL;
 };
 
 inline constexpr Column COLUMNS[] = {
@@ -64,7 +66,9 @@ inline constexpr Column COLUMNS[] = {
     {&TypeCoeffs::critical, "critical", "critical load", nullptr, true, Mixing::GEOMETRIC, 0},
     {&TypeCoeffs::adhesion_a, "adhesion", "adhesion", "delta", true, Mixing::GEOMETRIC, 0},
     {&TypeCoeffs::repulsion, "repulsion", "repulsion", "F0 lambda", true, Mixing::GEOMETRIC, 0},
-    {&TypeCoeffs::screening, "screening", "screening length", nullptr, true, Mixing::WITH_LAST, 0}};
+    {&TypeCoeffs::screening, "screening", "screening length", nullptr, true, Mixing::WITH_LAST, 0},
+    {&TypeCoeffs::restitution, "restitution", "coefficient of restitution", "e", false,
+     Mixing::GEOMETRIC, 0, 1.0}};
 inline constexpr std::size_t NUM_COLUMNS = sizeof(COLUMNS) / sizeof(Column);
 
 constexpr std::size_t column_of(double TypeCoeffs::*value)
@@ -100,7 +104,8 @@ constexpr unsigned effects_of_law_column(std::size_t n)
 // A value that a user may give.
 inline bool is_allowed(const Column &column, double value)
 {
-  return std::isfinite(value) && (value > 0.0 || (column.zero && value == 0.0));
+  return std::isfinite(value) && (value > 0.0 || (column.zero && value == 0.0)) &&
+      value <= column.most;
 }
 
 inline double mixed(Mixing rule, double one, double other)

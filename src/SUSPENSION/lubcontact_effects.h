@@ -24,9 +24,10 @@ enum : unsigned {    // bits of a mask
   TWIST = 16,        // twisting torque of the film
   THRESHOLD = 32,    // load that a contact needs for friction; nothing without FRICTION
   // extensions of the normal mode: whoever leaves one out has instances of the loop without it
-  ADHESION = 64,      // contacts that hold under tension
-  REPULSION = 128,    // screened repulsion of the surfaces
-  NUM_COMBINATIONS = 256
+  ADHESION = 64,        // contacts that hold under tension
+  REPULSION = 128,      // screened repulsion of the surfaces
+  RESTITUTION = 256,    // dashpot of the contact
+  NUM_COMBINATIONS = 512
 };
 
 inline constexpr unsigned EXTENSIONS = (NUM_COMBINATIONS - 1) & ~(ADHESION - 1);
@@ -50,6 +51,8 @@ constexpr unsigned covering(unsigned mask)
     if (extensions) films = SHEAR | ROLL | TWIST;
     if (films == ROLL || films == TWIST) films = ROLL | TWIST;
   }
+  // a dashpot is for dry grains: beside some film it has all of them
+  if ((extensions & RESTITUTION) && (films || mask & SQUEEZE)) films = SHEAR | ROLL | TWIST;
   const unsigned threshold = extensions ? THRESHOLD : mask & THRESHOLD;
   const unsigned friction = mask & FRICTION ? FRICTION | threshold : 0;
   return (mask & SQUEEZE) | extensions | films | friction;
@@ -76,6 +79,9 @@ template <unsigned X> constexpr auto instances()
                                  S | no_roll | F, S | no_roll | T, S | no_twist, S | no_twist | F,
                                  S | no_twist | T, S | no_shear, S | no_shear | F, S | no_shear | T,
                                  S | films, S | films | F, S | films | T>();
+  else if constexpr (X & RESTITUTION)
+    return with_extensions<X>(
+        std::integer_sequence<unsigned, 0, F, films, films | F, S | films, S | films | F>());
   else
     return with_extensions<X>(
         std::integer_sequence<unsigned, 0, F, film, film | F, films, films | F, S, S | F, S | film,
@@ -90,6 +96,7 @@ template <unsigned X> constexpr auto instances()
 //   ROLL    3     elastic part of the relative rolling  1          0               odd
 //   TWIST   1     elastic part of the relative twist    1          0               even
 //   BOND    1     1 while the asperities hold, else 0   1          elastic_contact()  even
+//   DASHPOT 1     force of the dashpot, > 0 in approach force      0               even
 template <unsigned MASK> struct Effects {
   static constexpr unsigned mask = MASK;
   static constexpr bool squeeze = MASK & SQUEEZE;
@@ -102,6 +109,7 @@ template <unsigned MASK> struct Effects {
   static constexpr bool residual = false;       // see WithResidual
   static constexpr bool adhesion = MASK & ADHESION;
   static constexpr bool repulsion = MASK & REPULSION;
+  static constexpr bool restitution = MASK & RESTITUTION;
   static constexpr unsigned normal = MASK & (ADHESION | REPULSION);    // extends the normal mode
   static constexpr bool tangential = shear || friction;
   static constexpr bool films = shear || roll || twist;    // some film besides the squeeze film
@@ -110,7 +118,7 @@ template <unsigned MASK> struct Effects {
   // without squeeze the gap is quasi-static: no history
   static constexpr bool gap_history = squeeze;
   static constexpr bool reads_gap = tangential || roll || twist;
-  static constexpr bool surface_history = squeeze || turns || twist;
+  static constexpr bool surface_history = squeeze || turns || twist || restitution;
 
   static constexpr int GAP_SLOT = 0;
   static constexpr int SURFACE_SLOT = GAP_SLOT + (gap_history ? 2 : 0);
@@ -118,11 +126,13 @@ template <unsigned MASK> struct Effects {
   static constexpr int ROLL_SLOT = SHEAR_SLOT + (tangential ? 3 : 0);
   static constexpr int TWIST_SLOT = ROLL_SLOT + (roll ? 3 : 0);
   static constexpr int BOND_SLOT = TWIST_SLOT + (twist ? 1 : 0);
-  static constexpr int HISTORY_SIZE = BOND_SLOT + (adhesion ? 1 : 0);
+  static constexpr int DASHPOT_SLOT = BOND_SLOT + (adhesion ? 1 : 0);
+  static constexpr int HISTORY_SIZE = DASHPOT_SLOT + (restitution ? 1 : 0);
 
   // which parts there are, in one number
   static constexpr int LAYOUT = (gap_history ? 1 : 0) + (surface_history ? 2 : 0) +
-      (tangential ? 4 : 0) + (roll ? 8 : 0) + (twist ? 16 : 0) + (adhesion ? 32 : 0);
+      (tangential ? 4 : 0) + (roll ? 8 : 0) + (twist ? 16 : 0) + (adhesion ? 32 : 0) +
+      (restitution ? 64 : 0);
 };
 
 // The same with residual films (range residual), which is no bit: few have it, all with every film.
@@ -143,7 +153,9 @@ constexpr unsigned covering_residual(unsigned mask)
 template <unsigned X> constexpr auto residual_instances()
 {
   constexpr unsigned films = SQUEEZE | SHEAR | ROLL | TWIST, F = FRICTION, T = FRICTION | THRESHOLD;
-  if constexpr (X == 0)
+  if constexpr (X & RESTITUTION)
+    return std::integer_sequence<unsigned>();    // refused: it is for dry grains
+  else if constexpr (X == 0)
     return std::integer_sequence<unsigned, films, films | F, films | T>();
   else
     return with_extensions<X>(std::integer_sequence<unsigned, films, films | F>());

@@ -23,10 +23,11 @@
 namespace LAMMPS_NS::Lubcontact_NS {
 
 struct Body {
-  Vec3 x;           // position
-  Vec3 v;           // velocity over the last step
-  Vec3 omega;       // angular velocity over the last step
-  double radius;    // length
+  Vec3 x;               // position
+  Vec3 v;               // velocity over the last step
+  Vec3 omega;           // angular velocity over the last step
+  double radius;        // length
+  double mass = 1.0;    // over ftm2v: force/acceleration. RESTITUTION alone reads it
 };
 
 // Effective radius a: MEAN (R_i+R_j)/2, or HARMONIC 2 R_i R_j/(R_i+R_j), for which the squeeze

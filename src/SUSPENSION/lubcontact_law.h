@@ -88,6 +88,7 @@ inline PairCoeffs pair_coeffs(const Settings &s, const TypeCoeffs &k)
   c.threshold = make_threshold(k.law, k.critical, k.friction);
   for (std::size_t m = 0; m < NUM_COLUMNS; m++)
     if (COLUMNS[m].effects) c.column[law_column(m)] = k.*COLUMNS[m].value;
+  c.restitution = restitution_coeff(k.restitution, dry_stiffness(k.g, k.asperity, k.roughness_a));
   if (k.screening > 0.0) c.normal.repulsion = {k.repulsion, 1.0 / k.screening};
   return c;
 }

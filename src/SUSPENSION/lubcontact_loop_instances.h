@@ -74,10 +74,14 @@ template <class E> class LubcontactLoop : protected Pointers {
   void add_stresslets();
   void tally_stresslet(int lane, double weight, const PairGeometry &, const Load &,
                        const double *history);
+  void begin_contacts();
+  double mass(int i) const { return atom->rmass[i] / force->ftm2v; }
   Body body(int i) const
   {
-    return {Lubcontact_NS::get_vector(atom->x[i]), Lubcontact_NS::get_vector(atom->v[i]),
-            Lubcontact_NS::get_vector(atom->omega[i]), atom->radius[i]};
+    Body body{Lubcontact_NS::get_vector(atom->x[i]), Lubcontact_NS::get_vector(atom->v[i]),
+              Lubcontact_NS::get_vector(atom->omega[i]), atom->radius[i]};
+    if constexpr (E::restitution) body.mass = mass(i);
+    return body;
   }
 };
 
@@ -187,6 +191,11 @@ template <class E> void LubcontactLoop<E>::fill()
       b.repulsion[l] = c.normal.repulsion.force;
       b.per_screening[l] = c.normal.repulsion.per_length;
     }
+    if constexpr (E::restitution) {
+      b.restitution[l] = c.restitution;
+      b.mass_i[l] = mass(i);
+      b.mass_j[l] = mass(j);
+    }
     Lubcontact_NS::copy_columns<E>([&](std::size_t n) {
       b.column[n][l] = c.column[n];
     });
@@ -195,6 +204,22 @@ template <class E> void LubcontactLoop<E>::fill()
     b.alpha[l] = c.normal.gap.alpha;
     b.eps_a[l] = c.normal.gap.eps_a;
     b.ln_eps[l] = c.normal.gap.ln_eps;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   pairs seen for the first time in a step take this step from their state before it
+------------------------------------------------------------------------- */
+
+template <class E> void LubcontactLoop<E>::begin_contacts()
+{
+  for (int l = 0; l < queue.n; l++) {
+    if (!queue.first[l] || queue.coeffs[l]->restitution == 0.0) continue;
+    const Body i = body(queue.i[l]), j = body(queue.j[l]);
+    const PairGeometry g =
+        Lubcontact_NS::pair_geometry(i.x, j.x, i.radius, j.radius, queue.batch.a[l]);
+    Lubcontact_NS::earlier_history<E>(*queue.coeffs[l], g, i, j, update->dt, queue.history[l]);
+    queue.first[l] = false;
   }
 }
 
@@ -235,6 +260,8 @@ template <class E> [[gnu::noinline]] void LubcontactLoop<E>::flush()
   [[maybe_unused]] double old[SIZE + 1];    // for the power of the step
   const Batch &b = queue.batch;
   double **f = atom->f, **torque = atom->torque;
+  if constexpr (E::restitution)
+    if (advance) begin_contacts();
   if (together) {
     fill();
     Lubcontact_NS::step_together<E>(queue.batch, film, update->dt);

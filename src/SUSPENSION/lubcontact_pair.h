@@ -21,6 +21,7 @@
 #include "lubcontact_friction.h"
 #include "lubcontact_geometry.h"
 #include "lubcontact_normal.h"
+#include "lubcontact_restitution.h"
 #include "lubcontact_roll.h"
 #include "lubcontact_shear.h"
 #include "lubcontact_strain.h"
@@ -37,6 +38,7 @@ struct PairCoeffs {    // of a pair of types
   double mu;    // coefficient of friction
   Threshold threshold{};
   double column[NUM_LAW_COLUMNS + 1] = {};    // law_column(&TypeCoeffs::name) says which
+  double restitution = 0.0;    // restitution_coeff(): resistance over the root of the mass
 };
 
 // Surfaces that are closer may hold each other without any film: ADHESION stretches the bulk.
@@ -47,7 +49,7 @@ LUBCONTACT_FN inline double touching_gap_a(const PairCoeffs &c)
 }
 
 struct Load {
-  double contact;    // normal forces on i along n: of the asperities, of the squeeze film,
+  double contact;    // normal forces on i along n: of the contact, of the squeeze film,
   double film;
   double repulsion;
   double normal;    // their sum
@@ -81,12 +83,20 @@ LUBCONTACT_FN inline double present_gap_a(const PairCoeffs &c, const PairGeometr
   return elastic_gap_a<E::normal>(c.normal, g.a, g.un_a, holds<E>(history));
 }
 
-// Normal forces at the gap u.
+// Normal forces at the gap u, without dashpot.
 template <class E>
 LUBCONTACT_FN inline NormalForce normal_force_of(const PairCoeffs &c, const Film &f,
                                                  const PairGeometry &g, double u, bool bond)
 {
   return normal_force<E::normal>(c.normal, g.a, g.un, u, has_film<E>(f), bond);
+}
+
+// Force of the asperities with that of the dashpot, from the history of that moment.
+template <class E>
+LUBCONTACT_FN inline double contact_force_of(double springs, [[maybe_unused]] const double *history)
+{
+  if constexpr (E::restitution) return damped_contact(springs, history[E::DASHPOT_SLOT]);
+  return springs;
 }
 
 // Load of the asperities that counts for friction. Tension has none.
@@ -113,6 +123,19 @@ LUBCONTACT_FN inline void first_history(const PairCoeffs &c, const PairGeometry 
     next[E::GAP_SLOT + 1] = std::log(next[E::GAP_SLOT]);
   }
   if constexpr (E::surface_history) next[E::SURFACE_SLOT] = g.un;
+}
+
+// History at the beginning of a step in which a pair is seen for the first time: where the dashpot
+// acts, the step in which a contact begins has a force. (RESTITUTION)
+template <class E>
+LUBCONTACT_FN inline void earlier_history(const PairCoeffs &c, PairGeometry g, const Body &i,
+                                          const Body &j, double dt, double *next)
+{
+  const double radsum = g.r - g.un;
+  g.r = norm(g.r * g.n - dt * (i.v - j.v));    // the velocities undo the step
+  g.un = g.r - radsum;
+  g.un_a = g.un * g.per_a;
+  first_history<E>(c, g, next);
 }
 
 // Strain of the flow at mid-step in the frame of the pair, carried to the end as its motion is.
@@ -205,6 +228,13 @@ LUBCONTACT_FN inline void step_history(NextGap next_gap, const PairCoeffs &c, co
     }
   }
   next[E::SURFACE_SLOT] = g.un;
+  [[maybe_unused]] double dashpot[2] = {};    // at the ends of the step
+  if constexpr (E::restitution) {
+    dashpot[0] = old[E::DASHPOT_SLOT];
+    dashpot[1] = dashpot_force(c.restitution, i.mass * j.mass / (i.mass + j.mass),
+                               g.a * c.normal.gap.eps_a, un_old, g.un, dt);
+    next[E::DASHPOT_SLOT] = dashpot[1];
+  }
 
   if constexpr (E::turns || E::twist) {
     // the films of shear, roll and twist see the gap at mid-step
@@ -213,15 +243,17 @@ LUBCONTACT_FN inline void step_history(NextGap next_gap, const PairCoeffs &c, co
 
     [[maybe_unused]] double cone0 = 0.0, cone = 0.0;
     if constexpr (E::friction) {
-      auto cone_at = [&](const PairGeometry &at, double gap_a, bool bond) {
-        const double contact = normal_force_of<E>(c, f, at, g.a * gap_a, bond).contact;
+      auto cone_at = [&](const PairGeometry &at, double gap_a, bool bond,
+                         [[maybe_unused]] double dash) {
+        double contact = normal_force_of<E>(c, f, at, g.a * gap_a, bond).contact;
+        if constexpr (E::restitution) contact = damped_contact(contact, dash);
         return c.mu / c.kt * frictional_load<E>(c, contact);
       };
-      cone = cone_at(g, after.u_a, holding);
+      cone = cone_at(g, after.u_a, holding, dashpot[1]);
       if constexpr (E::shear) {    // without film only the end of the step counts
         PairGeometry g0 = g;
         g0.un = un_old;
-        cone0 = cone_at(g0, before.u_a, held);
+        cone0 = cone_at(g0, before.u_a, held, dashpot[0]);
       }
     }
     const TangentialFilms films = tangential_films<E>(f, g, m, u_a, ln_u, dt, cone > 0.0);
@@ -277,15 +309,15 @@ LUBCONTACT_FN inline Load pair_load(const PairCoeffs &c, const Film &f, const Pa
   load.u = g.a * present_gap_a<E>(c, g, history);
   const bool bond = holds<E>(history);
   const NormalForce normal = normal_force_of<E>(c, f, g, load.u, bond);
-  load.contact = normal.contact;
+  load.contact = contact_force_of<E>(normal.contact, history);
   load.film = normal.film;
-  load.normal = normal.contact + normal.film;
-  load.touch = bond | (normal.contact > 0.0);
+  load.normal = load.contact + normal.film;
+  load.touch = bond | (load.contact > 0.0);
   if constexpr (E::repulsion) {
     load.repulsion = normal.repulsion;
     load.normal = load.normal + normal.repulsion;
   }
-  if constexpr (E::friction) load.cone = c.mu * frictional_load<E>(c, normal.contact);
+  if constexpr (E::friction) load.cone = c.mu * frictional_load<E>(c, load.contact);
   if constexpr (E::tangential) load.shear = -c.kt * get_vector(history + E::SHEAR_SLOT);
   const double kr = c.kt * g.a * g.a;
   if constexpr (E::roll) load.couple = -kr * get_vector(history + E::ROLL_SLOT);

@@ -22,7 +22,8 @@
 namespace LAMMPS_NS::Lubcontact_NS {
 
 enum PowerOrigin {
-  NORMAL_CONTACT,    // bulk and asperities; loses energy where an adhesive contact breaks
+  NORMAL_CONTACT,    // bulk and asperities; loses energy in the dashpot, and where an adhesive
+                     // contact breaks
   FRICTION_CONTACT,
   SQUEEZE_FILM,
   SHEAR_FILM,
@@ -73,18 +74,19 @@ LUBCONTACT_FN inline double lost(double stiffness, const Vec3 &q0, const Vec3 &q
 }
 
 // Of the bulk and the asperities between two states; with a film all but the energy of a contact
-// that breaks is its loss.
+// that breaks and that of the dashpot is its loss. dashpot: sum of its forces in the two states.
 template <class E>
 LUBCONTACT_FN inline void normal_loss(const PairCoeffs &c, double a, bool film, double un_moved,
                                       const Load &before, const Load &after, double stored,
-                                      Energies &loss)
+                                      [[maybe_unused]] double dashpot, Energies &loss)
 {
   const double all = -0.5 * (before.normal + after.normal) * un_moved - stored;
   double broken = 0.0;
+  if constexpr (E::restitution) broken = -0.5 * dashpot * un_moved;
   if constexpr (E::adhesion)
     if (before.touch && !after.touch) {
       const double stretch = a * c.normal.gap.release_a - a * c.normal.gap.eps_a;
-      broken = 0.5 * c.normal.asperity * stretch * stretch;
+      broken += 0.5 * c.normal.asperity * stretch * stretch;
     }
   loss.of[NORMAL_CONTACT] = film ? broken : all;
   loss.of[SQUEEZE_FILM] = film ? all - broken : 0.0;
@@ -96,6 +98,14 @@ LUBCONTACT_FN inline void flow_loss(const FlowResponse &r, const PairStrain &flo
 {
   loss.of[SQUEEZE_FILM] += dt * flow.along * (r.part * squeeze + r.stretch * flow.along);
   loss.of[SHEAR_FILM] += dt * r.extend * dot(flow.across, flow.across);
+}
+
+// RESTITUTION: what the dashpot adds to the force of the contact.
+template <class E>
+LUBCONTACT_FN inline double dashpot_of(const PairCoeffs &c, const Film &f, const PairGeometry &g,
+                                       const Load &load, const double *history)
+{
+  return load.contact - normal_force_of<E>(c, f, g, load.u, holds<E>(history)).contact;
 }
 
 // Energy turned into heat by the step of length dt that ended at the geometry g with the history
@@ -120,8 +130,11 @@ LUBCONTACT_FN inline Energies step_loss(const PairCoeffs &c, const Film &f, cons
   auto normal_stored = [&](const PairGeometry &at, const Load &load) {
     return normal_energy<E::normal>(c.normal, at.a, at.un, load.u, load.touch);
   };
+  double dashpot = 0.0;
+  if constexpr (E::restitution)
+    dashpot = dashpot_of<E>(c, f, g0, before, old) + dashpot_of<E>(c, f, g, after, next);
   normal_loss<E>(c, g.a, has_film<E>(f), g.un - g0.un, before, after,
-                 normal_stored(g, after) - normal_stored(g0, before), loss);
+                 normal_stored(g, after) - normal_stored(g0, before), dashpot, loss);
 
   if constexpr (E::turns || E::twist) {
     PairMotion m = pair_motion(g, i, j, g0.r, dt);

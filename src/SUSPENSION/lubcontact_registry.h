@@ -86,6 +86,16 @@ inline constexpr EffectRow EFFECTS[] = {
      },
      [](TypeCoeffs &c) {
        c.repulsion = c.screening = 0.0;
+     }},
+    {RESTITUTION, "restitution", "restitution", NUM_CHANNELS, NORMAL_CONTACT,
+     [](const TypeCoeffs &c) {
+       return c.restitution < 1.0;
+     },
+     [](const TypeCoeffs &c) {
+       return c.restitution < 1.0;
+     },
+     [](TypeCoeffs &c) {
+       c.restitution = 1.0;
      }}};
 
 constexpr unsigned all_effects()

@@ -125,6 +125,10 @@ double CoeffParser::number(int iarg, const Column &column, bool zero) const
     error->all(FLERR, place_of(input, arg[iarg]),
                "Pair style lubcontact {} must be {} 0, but is {}", column.what, zero ? ">=" : ">",
                arg[iarg]);
+  if (value > column.most)
+    error->all(FLERR, place_of(input, arg[iarg]),
+               "Pair style lubcontact {} must be <= {}, but is {}", column.what, column.most,
+               arg[iarg]);
   return value;
 }
 
@@ -325,7 +329,9 @@ std::string LAMMPS_NS::surface_words(const TypeCoeffs &c)
   for (std::size_t m = Lubcontact_NS::column_of(&TypeCoeffs::adhesion_a); m < NUM_COLUMNS; m++) {
     const bool follows = m + 1 < NUM_COLUMNS && !COLUMNS[m + 1].keyword;
     const double decides = c.*COLUMNS[follows ? m + 1 : m].value;    // repulsion 0 has a length
-    if (!COLUMNS[m].keyword || decides == 0.0) continue;
+    // as if not given
+    if (!COLUMNS[m].keyword || decides == TypeCoeffs().*COLUMNS[follows ? m + 1 : m].value)
+      continue;
     words += fmt::format(" {} {}", COLUMNS[m].name, c.*COLUMNS[m].value);
     if (follows) words += fmt::format(" {}", decides);
   }

@@ -173,9 +173,14 @@ void PairLubcontact::init_style()
                "Pair style lubcontact needs velocities of ghost atoms; add: comm_modify vel yes");
   lubcontact_checks::check_factors(lmp);
   check_variable();
-  lubcontact_checks::check_residual(lmp, *given);
   const bool residual = given->range == Lubcontact_NS::Range::RESIDUAL;
-  *instance = find_instance(present_effects(coeffs->law(*given, false)), residual);
+  const unsigned effects = present_effects(coeffs->law(*given, false));
+  if (residual && (effects & Lubcontact_NS::RESTITUTION))
+    error->all(FLERR,
+               "Pair style lubcontact restitution is for dry grains and cannot act beside range "
+               "residual: leave it out of pair_coeff");
+  lubcontact_checks::check_residual(lmp, *given);
+  *instance = find_instance(effects, residual);
   const int size = instance->history.size;
   if (comm->style == Comm::TILED && force->newton_pair && size)
     error->all(FLERR,
@@ -185,7 +190,8 @@ void PairLubcontact::init_style()
   if (update->whichflag == 2 && size)
     error->all(FLERR,
                "Pair style lubcontact supports minimization only for frictionless elastic contact; "
-               "use: squeeze no shear no roll no twist no, friction none, and no adhesion");
+               "use: squeeze no shear no roll no twist no, friction none, no adhesion and no "
+               "restitution");
 
   neighbor->add_request(this, NeighConst::REQ_DEFAULT | (size ? NeighConst::REQ_HISTORY : 0));
   pairs->history().require(this, instance->history);
@@ -215,6 +221,12 @@ double PairLubcontact::init_one(int i, int j)
   }
   coeffs->check(i, j, *given);
   const auto c = coeffs->of(i, j);
+  for (const auto &row : Lubcontact_NS::EFFECTS)    // fix adapt comes after the choice of a loop
+    if (!row.is_film() && row.is_present(c) && !(instance->effects & row.bit))
+      error->all(FLERR,
+                 "Pair style lubcontact types {} {}: there is no {} that could be changed: give it "
+                 "to pair_coeff first",
+                 i, j, row.name);
   coeffs->put(i, j, c);    // and for (j,i)
   pairs->range().set(i, j, *given, c);
 
@@ -296,6 +308,7 @@ void PairLubcontact::setup()
   dt_limit_mass = particles.mass;
   warned_dt = this != everyone.front();    // one speaks for all
   reset_dt();
+  lubcontact_checks::check_restitution(lmp, instance->effects);
   lubcontact_checks::check_skin(lmp, *std::max_element(max_radius.begin(), max_radius.end()));
   if (!reported) {
     const Lubcontact_NS::Law acting = coeffs->law(*given, true);

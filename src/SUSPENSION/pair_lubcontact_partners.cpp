@@ -20,6 +20,7 @@
 #include "lubcontact_pairs.h"
 #include "lubcontact_stiffness.h"
 #include "neigh_list.h"
+#include "update.h"
 
 #include <vector>
 
@@ -28,7 +29,8 @@ using Lubcontact_NS::PairGeometry;
 
 /* ----------------------------------------------------------------------
    sum over the partners of each atom of the stiffest mode of a pair, particles turning as easily as
-   spin says. Returns the number of pairs in range on this rank
+   spin says; a dashpot counts as dashpot_stiffness(). Returns the number of pairs in range on this
+   rank
 ------------------------------------------------------------------------- */
 
 double PairLubcontact::sum_over_partners(double spin)
@@ -39,12 +41,18 @@ double PairLubcontact::sum_over_partners(double spin)
   pairs->each([&](const LubcontactPairs::Acting &p) {
     const auto &c = pairs->range().of(atom->type[p.i], atom->type[p.j]);
     const PairGeometry g = pairs->geometry(p.i, p.j, p.a);
+    double normal = c.normal.g;
+    if (c.restitution > 0.0) {
+      const double mi = atom->rmass[p.i], mj = atom->rmass[p.j];
+      normal += Lubcontact_NS::dashpot_stiffness(c.restitution, mi * mj / (mi + mj) / force->ftm2v,
+                                                 update->dt);
+    }
     Lubcontact_NS::PairStiffness k = Lubcontact_NS::pair_stiffness(
-        c.normal.g, c.kt, spin, g, atom->radius[p.i], atom->radius[p.j], roll, twist);
+        normal, c.kt, spin, g, atom->radius[p.i], atom->radius[p.j], roll, twist);
     if (film->residual)
       k = Lubcontact_NS::larger_stiffness(
           k,
-          Lubcontact_NS::pair_stiffness(c.normal.g, c.kt, spin, Lubcontact_NS::with_lever(g),
+          Lubcontact_NS::pair_stiffness(normal, c.kt, spin, Lubcontact_NS::with_lever(g),
                                         atom->radius[p.i], atom->radius[p.j], roll, twist));
     of_partners[p.i] += k.i;
     of_partners[p.j] += k.j;

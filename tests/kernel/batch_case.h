@@ -36,6 +36,9 @@ struct Case {
     i = {xj + (ri + rj + un) * rnd.unit(), rnd.vector(1.0), rnd.vector(1.0), ri};
     j = {xj, rnd.vector(1.0), rnd.vector(1.0), rj};
     for (double &slot : history) slot = rnd.uniform(-1e-2, 1e-2);
+    if (rnd.coin()) c.restitution = restitution_coeff(rnd.log_uniform(1e-3, 1.0), g);
+    i.mass = rnd.log_uniform(1e-2, 1e2);
+    j.mass = rnd.log_uniform(1e-2, 1e2);
   }
 
   template <class E> void set_history(Random &rnd, const PairGeometry &g)
@@ -73,6 +76,9 @@ inline void put(const Case &k, Batch &b, int l)
   b.ln_eps[l] = k.c.normal.gap.ln_eps;
   b.release_a[l] = k.c.normal.gap.release_a;
   b.ln_release[l] = k.c.normal.gap.ln_release;
+  b.restitution[l] = k.c.restitution;
+  b.mass_i[l] = k.i.mass;
+  b.mass_j[l] = k.j.mass;
   b.repulsion[l] = k.c.normal.repulsion.force;
   b.per_screening[l] = k.c.normal.repulsion.per_length;
   b.least[l] = k.c.threshold.least;

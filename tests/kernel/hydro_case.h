@@ -4,7 +4,9 @@
 #ifndef KERNEL_HYDRO_CASE_H
 #define KERNEL_HYDRO_CASE_H
 
-#include "hydro_grid.h"
+#include "hydro_layers.h"
+#include "hydro_pairs.h"
+#include "hydro_spline.h"
 #include "hydro_wide.h"
 #include "pore_cg.h"
 #include "tools.h"
@@ -159,7 +161,8 @@ inline double relative_error(const Numbers &a, const Numbers &b)
 #ifdef SUSPENSION_FFTW
 
 struct Settings {
-  double width = 1.0, spacing = 0.82, support = 4.5, pairs = 5.0;    // in widths but the first
+  double width = 1.0, spacing = 0.9, pairs = 5.0;    // in widths but the first
+  int points = 6;
   int ranks = 1;
 };
 
@@ -189,13 +192,17 @@ class GridMobility {
   {
     const double h = use.spacing * use.width;
     const Cell &c = all.cell;
-    points = {good_number(c.xprd / h), good_number(c.yprd / h), good_number(c.zprd / h)};
-    lattice = {c, points[0], points[1], points[2], use.width, use.support * use.width};
+    lattice = lattice_for(c, h, c.xy);
+    points = {lattice.nx, lattice.ny, lattice.nz};
     for (const double a : all.radius) bodies.push_back(make_body(a, use.width));
     for (int r = 0; r < use.ranks; r++) {
-      solvers.push_back(std::make_unique<StokesSolver>(points, r, use.ranks));
-      solvers.back()->set_response(c, [eta](const WaveVector &wave) {
-        return stokes_factors(wave, eta);
+      solvers.push_back(std::make_unique<StokesSolver>(points, r, use.ranks, WITH_COMPANION));
+      solvers.back()->set_response(c, [&](const WaveVector &wave) {
+        double spline = 1.0;
+        for (int d = 0; d < 3; d++) spline *= spline_wave(wave.number[d], points[d], use.points);
+        const WaveFactors f = gaussian_factors(wave, eta, use.width);
+        const double both = 1.0 / (lattice.point_volume() * spline * spline);
+        return WaveFactors{both * f.across, both * f.along};
       });
       Vec3 low{1e300, 1e300, 1e300}, high = -1.0 * low;
       for (std::size_t i = r; i < all.size(); i += use.ranks) {
@@ -203,7 +210,7 @@ class GridMobility {
         low = {std::fmin(low.x, g.x), std::fmin(low.y, g.y), std::fmin(low.z, g.z)};
         high = {std::fmax(high.x, g.x), std::fmax(high.y, g.y), std::fmax(high.z, g.z)};
       }
-      bricks.push_back(brick_for(lattice, low, high));
+      bricks.push_back(spline_brick(low, high, use.points));
     }
     find_pairs();
   }
@@ -215,10 +222,8 @@ class GridMobility {
     std::vector<Motion> motion(n);
     for (std::size_t i = 0; i < n; i++) load[i] = get_load(&loads[11 * i]);
     far(load, motion);
-    for (const Pair &p : pairs)
-      add_pair(p.response, 1.0 / (8.0 * PI_ * viscosity), load[p.i], load[p.j], motion[p.i],
-               motion[p.j]);
-    for (const Pair &p : images) {    // counted for both of the pair
+    add_pairs(pairs, 1.0 / (8.0 * PI_ * viscosity), load.data(), motion.data());
+    for (const Image &p : images) {    // counted for both of the pair
       Motion unused;
       add_pair(p.response, 1.0 / (8.0 * PI_ * viscosity), load[p.i], load[p.i], motion[p.i],
                unused);
@@ -236,8 +241,8 @@ class GridMobility {
   Points points;
 
  private:
-  struct Pair {
-    std::size_t i, j;
+  struct Image {
+    std::size_t i;
     PairResponse response;
   };
   const Spheres spheres;
@@ -247,7 +252,8 @@ class GridMobility {
   std::vector<Body> bodies;
   std::vector<Brick> bricks;
   Solvers solvers;
-  std::vector<Pair> pairs, images;    // of different spheres; of one with itself, in both ways
+  std::vector<PairBlock> pairs;    // of different spheres
+  std::vector<Image> images;       // of one with itself, in both ways
 
   void find_pairs()
   {
@@ -263,8 +269,11 @@ class GridMobility {
             for (int kz = -mz; kz <= mz; kz++) {
               const Vec3 x = spheres.x[i] - spheres.x[j] + image(c, kx, ky, kz);
               if (dot(x, x) > cut * cut || (i == j && kx == 0 && ky == 0 && kz == 0)) continue;
-              (i == j ? images : pairs)
-                  .push_back({i, j, missing_response(x, bodies[i], bodies[j], settings.width)});
+              const PairResponse r = missing_response(x, bodies[i], bodies[j], settings.width);
+              if (i == j)
+                images.push_back({i, r});
+              else
+                add_to(pairs, static_cast<int>(i), static_cast<int>(j), r);
             }
   }
 
@@ -272,38 +281,46 @@ class GridMobility {
   void far(const std::vector<Load> &load, std::vector<Motion> &motion) const
   {
     const int ranks = settings.ranks;
+    const LatticeGradients to = lattice_gradients(lattice);
+    const auto on_grid = [&](std::size_t i) {
+      return spline_at(lattice, spheres.x[i], settings.points);
+    };
+    const auto of_laplacian = [&](std::size_t i) {
+      return OfLaplacian{bodies[i].c_force, bodies[i].c_dipole};
+    };
     std::vector<Numbers> fields;
-    std::vector<Stencils> stencils(ranks);
     for (int r = 0; r < ranks; r++) {
-      stencils[r].start(lattice, bricks[r]);
-      Numbers field(3 * bricks[r].points() + Stencils::PADDING);
-      for (std::size_t i = r; i < load.size(); i += ranks) {
-        stencils[r].add(spheres.x[i]);
-        spread(stencils[r], i / ranks, bodies[i], load[i], field.data());
-      }
+      Numbers field(padded(WITH_COMPANION) * bricks[r].points());
+      for (std::size_t i = r; i < load.size(); i += ranks)
+        spread<WITH_COMPANION>(on_grid(i), to, bricks[r], of_laplacian(i), load[i], field.data());
       fields.push_back(field);
     }
-    for (int to = 0; to < ranks; to++) {
-      StokesSolver &solver = *solvers[to];
-      std::fill_n(solver.field(), 3 * solver.points(), 0.0);
+    for (int rank = 0; rank < ranks; rank++) {
+      StokesSolver &solver = *solvers[rank];
+      std::fill_n(solver.field(), WITH_COMPANION * solver.points(), 0.0);
       for (int r = 0; r < ranks; r++) {
-        Numbers sent(numbers_in(bricks[r], points, solver.layers()));
-        pack_brick(bricks[r], points, solver.layers(), fields[r].data(), sent.data());
-        add_to_layers(bricks[r], points, solver.layers(), sent.data(), solver.field());
+        Numbers sent(numbers_in(bricks[r], points, solver.layers(), WITH_COMPANION));
+        pack_brick(bricks[r], points, solver.layers(), WITH_COMPANION, fields[r].data(),
+                   sent.data());
+        add_to_layers(bricks[r], points, solver.layers(), WITH_COMPANION, sent.data(),
+                      solver.field());
       }
     }
     solve();
     for (int from = 0; from < ranks; from++) {
       const StokesSolver &solver = *solvers[from];
       for (int r = 0; r < ranks; r++) {
-        Numbers sent(numbers_in(bricks[r], points, solver.layers()));
-        take_from_layers(bricks[r], points, solver.layers(), solver.field(), sent.data());
-        unpack_brick(bricks[r], points, solver.layers(), sent.data(), fields[r].data());
+        Numbers sent(numbers_in(bricks[r], points, solver.layers(), WITH_COMPANION));
+        take_from_layers(bricks[r], points, solver.layers(), WITH_COMPANION, solver.field(),
+                         sent.data());
+        unpack_brick(bricks[r], points, solver.layers(), WITH_COMPANION, sent.data(),
+                     fields[r].data());
       }
     }
     for (int r = 0; r < ranks; r++)
       for (std::size_t i = r; i < load.size(); i += ranks)
-        motion[i] = interpolate(stencils[r], i / ranks, bodies[i], fields[r].data());
+        motion[i] = interpolate<WITH_COMPANION>(on_grid(i), to, bricks[r], of_laplacian(i),
+                                                fields[r].data());
   }
 
   void solve() const

@@ -69,7 +69,9 @@ template <unsigned MASK> void put_pair(Numbers &n, Range rule, bool euler)
   const PairCoeffs c{{g, gap.alpha * g, gap, {n.uniform(0.0, 1.0), 50.0}},
                      n.uniform(100.0, 1000.0),
                      n.uniform(0.0, 1.0),
-                     make_threshold(euler ? FrictionLaw::BRIZMER : FrictionLaw::RAMP, 0.1, 0.3)};
+                     make_threshold(euler ? FrictionLaw::BRIZMER : FrictionLaw::RAMP, 0.1, 0.3),
+                     {},
+                     restitution_coeff(n.uniform(0.1, 0.9), g)};
   Body i{{2.1, 0.0, 0.0}, {}, {}, 1.1}, j{{}, {}, {}, 0.9};
   const double a = effective_radius(Radius::HARMONIC, i.radius, j.radius);
   double old[E::HISTORY_SIZE + 1] = {}, next[E::HISTORY_SIZE + 1] = {};
@@ -118,7 +120,8 @@ void put_particle(Numbers &n)
 int put_all(double *out)
 {
   Numbers n{out};
-  put_pairs<0, SQUEEZE, SQUEEZE | SHEAR, FRICTION, 63, SQUEEZE | ADHESION, 255>(n);
+  put_pairs<0, SQUEEZE, SQUEEZE | SHEAR, FRICTION, 63, SQUEEZE | ADHESION, 255, RESTITUTION, 511>(
+      n);
   for (int m = 0; m < 100; m++) put_particle(n);
   return n.size;
 }

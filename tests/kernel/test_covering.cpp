@@ -30,6 +30,7 @@ PairCoeffs coeffs_of(unsigned mask)
   gap.ln_release = gap.ln_eps;
   PairCoeffs c{{1e3, 1e3, gap}, 5e2, mask & FRICTION ? 0.5 : 0.0};
   if (mask & THRESHOLD) c.threshold = make_threshold(FrictionLaw::SHIFT, 0.5);
+  if (mask & RESTITUTION) c.restitution = restitution_coeff(0.5, 5e2);
   return c;
 }
 
@@ -96,6 +97,7 @@ template <unsigned INSTANCE> std::vector<Result> run(unsigned mask, bool togethe
         b.ln_eps[0] = c.normal.gap.ln_eps;
         b.kt[0] = c.kt;
         b.mu[0] = c.mu;
+        b.restitution[0] = c.restitution;
         b.least[0] = c.threshold.least;
         b.shift[0] = c.threshold.shift;
         b.per_ramp[0] = c.threshold.per_ramp;
@@ -146,6 +148,13 @@ TEST(Covering, OfFilms)
 TEST(Covering, OfACriticalLoad)
 {
   compare<SQUEEZE | FRICTION | SHEAR | REPULSION>();
+}
+
+TEST(Covering, OfADashpot)
+{
+  compare<RESTITUTION | SQUEEZE>();
+  compare<RESTITUTION | SHEAR | FRICTION>();
+  compare<RESTITUTION | FRICTION>();
 }
 
 // All masks are covered by themselves or by more, and what covers them is compiled: once, in one

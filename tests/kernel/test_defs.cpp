@@ -29,13 +29,17 @@ TEST(Marks, ChangeNoBit)
 
 TEST(Marks, AreOnEveryFunction)
 {
-  const char *headers[] = {"lubcontact_defs",   "lubcontact_vec3",       "lubcontact_geometry",
-                           "lubcontact_film",   "lubcontact_polynomial", "lubcontact_gap",
-                           "lubcontact_normal", "lubcontact_maxwell",    "lubcontact_shear",
-                           "lubcontact_roll",   "lubcontact_twist",      "lubcontact_friction",
-                           "lubcontact_pair",   "lubcontact_repulsion",  "lubcontact_power",
-                           "fluid_drag",        "lubcontact_stiffness",  "fluid_flow",
-                           "lubcontact_strain", "lubcontact_residual",   "lubcontact_stresslet"};
+  const char *headers[] = {"lubcontact_defs",       "lubcontact_vec3",
+                           "lubcontact_geometry",   "lubcontact_film",
+                           "lubcontact_polynomial", "lubcontact_gap",
+                           "lubcontact_normal",     "lubcontact_maxwell",
+                           "lubcontact_shear",      "lubcontact_roll",
+                           "lubcontact_twist",      "lubcontact_friction",
+                           "lubcontact_pair",       "lubcontact_repulsion",
+                           "lubcontact_power",      "fluid_drag",
+                           "lubcontact_stiffness",  "fluid_flow",
+                           "lubcontact_strain",     "lubcontact_residual",
+                           "lubcontact_stresslet",  "lubcontact_restitution"};
   const char *absent[] = {"std::min",    "std::max",    "std::clamp", "std::array",
                           "std::vector", "std::string", "throw ",     "virtual "};
   for (const std::string header : headers) {

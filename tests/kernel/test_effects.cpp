@@ -10,8 +10,8 @@
 using namespace LAMMPS_NS::Lubcontact_NS;
 using namespace testing_tools;
 
-// Without adhesion; one letter a double, in order: g gap and its logarithm, u surface, s shear,
-// r roll, t twist.
+// Without adhesion and restitution; one letter a double, in order: g gap and its logarithm,
+// u surface, s shear, r roll, t twist.
 static constexpr const char *LAYOUT[32] = {
     "",         "ggu",        "usss",     "ggusss",    "usss",      "ggusss",   "usss",
     "ggusss",   "urrr",       "ggurrr",   "usssrrr",   "ggusssrrr", "usssrrr",  "ggusssrrr",
@@ -19,10 +19,11 @@ static constexpr const char *LAYOUT[32] = {
     "ggussst",  "ussst",      "ggussst",  "urrrt",     "ggurrrt",   "usssrrrt", "ggusssrrrt",
     "usssrrrt", "ggusssrrrt", "usssrrrt", "ggusssrrrt"};
 
-// A bond (b) comes last.
+// A bond (b) and a dashpot (d), which needs the surface, come last.
 static std::string layout_of(unsigned mask)
 {
-  return std::string(LAYOUT[mask % 32]) + (mask & ADHESION ? "b" : "");
+  const std::string basic = mask % 32 == 0 && (mask & RESTITUTION) ? "u" : LAYOUT[mask % 32];
+  return basic + (mask & ADHESION ? "b" : "") + (mask & RESTITUTION ? "d" : "");
 }
 
 TEST(Effects, BitsOfTheMaskAreTheDocumentedOnes)
@@ -35,7 +36,8 @@ TEST(Effects, BitsOfTheMaskAreTheDocumentedOnes)
   EXPECT_EQ(THRESHOLD, 32u);
   EXPECT_EQ(ADHESION, 64u);
   EXPECT_EQ(REPULSION, 128u);
-  EXPECT_EQ(NUM_COMBINATIONS, 256u);
+  EXPECT_EQ(RESTITUTION, 256u);
+  EXPECT_EQ(NUM_COMBINATIONS, 512u);
 }
 
 TEST(Effects, ThresholdIsNothingWithoutFriction)
@@ -49,27 +51,22 @@ TEST(Effects, ThresholdIsNothingWithoutFriction)
 // What the compiler knows of a mask, as numbers: the tests below are compiled once, not for each
 // mask.
 struct Traits {
-  bool squeeze, shear, friction, roll, twist, threshold, adhesion, repulsion;
+  bool squeeze, shear, friction, roll, twist, threshold, adhesion, repulsion, restitution;
   unsigned normal;
   bool tangential, reads_gap, turns, gap_history, surface_history;
-  int gap, surface, shears, rolls, twists, bond, size;
+  int gap, surface, shears, rolls, twists, bond, dashpot, size;
   void (*exchange)(const double *, double *);
 };
 
 template <unsigned MASK> static constexpr Traits traits_of()
 {
   using E = Effects<MASK>;
-  return {E::squeeze,      E::shear,
-          E::friction,     E::roll,
-          E::twist,        E::threshold,
-          E::adhesion,     E::repulsion,
-          E::normal,       E::tangential,
-          E::reads_gap,    E::turns,
-          E::gap_history,  E::surface_history,
-          E::GAP_SLOT,     E::SURFACE_SLOT,
-          E::SHEAR_SLOT,   E::ROLL_SLOT,
-          E::TWIST_SLOT,   E::BOND_SLOT,
-          E::HISTORY_SIZE, &exchange_history<E>};
+  return {E::squeeze,      E::shear,        E::friction,        E::roll,
+          E::twist,        E::threshold,    E::adhesion,        E::repulsion,
+          E::restitution,  E::normal,       E::tangential,      E::reads_gap,
+          E::turns,        E::gap_history,  E::surface_history, E::GAP_SLOT,
+          E::SURFACE_SLOT, E::SHEAR_SLOT,   E::ROLL_SLOT,       E::TWIST_SLOT,
+          E::BOND_SLOT,    E::DASHPOT_SLOT, E::HISTORY_SIZE,    &exchange_history<E>};
 }
 
 // a constant: filled at run time it takes a sanitizing compiler two minutes
@@ -80,8 +77,7 @@ all_traits(std::integer_sequence<unsigned, MASK...>)
   return {traits_of<MASK>()...};
 }
 
-static constexpr auto TRAITS =
-    all_traits(std::make_integer_sequence<unsigned, NUM_COMBINATIONS>());
+static constexpr auto TRAITS = all_traits(std::make_integer_sequence<unsigned, NUM_COMBINATIONS>());
 
 TEST(Effects, EachBitSwitchesItsOwnEffect)
 {
@@ -95,8 +91,9 @@ TEST(Effects, EachBitSwitchesItsOwnEffect)
     EXPECT_EQ(e.twist, mask / 16 % 2 == 1);
     EXPECT_EQ(e.threshold, mask / 32 % 2 == 1 && e.friction);
     EXPECT_EQ(e.adhesion, mask / 64 % 2 == 1);
-    EXPECT_EQ(e.repulsion, mask / 128 == 1);
-    EXPECT_EQ(e.normal, mask / 64 * 64);
+    EXPECT_EQ(e.repulsion, mask / 128 % 2 == 1);
+    EXPECT_EQ(e.restitution, mask / 256 == 1);
+    EXPECT_EQ(e.normal, mask / 64 % 4 * 64);
     const std::string layout = layout_of(mask);
     EXPECT_EQ(e.tangential, layout.find('s') != std::string::npos);
     EXPECT_EQ(e.reads_gap, layout.find_first_of("srt") != std::string::npos);
@@ -121,6 +118,7 @@ TEST(Effects, HistoryHasTheSlotsOfTheTableWithoutGaps)
     mark(e.roll, e.rolls, 3, 'r');
     mark(e.twist, e.twists, 1, 't');
     mark(e.adhesion, e.bond, 1, 'b');
+    mark(e.restitution, e.dashpot, 1, 'd');
     EXPECT_EQ(layout, layout_of(mask));
   }
 }
@@ -130,13 +128,13 @@ TEST(ExchangeHistory, ScalarsAreEvenAndVectorsAreOdd)
   for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
     const std::string layout = layout_of(mask);
     SCOPED_TRACE(mask);
-    double source[12], target[12];
-    for (int m = 0; m < 12; m++) {
+    double source[13], target[13];
+    for (int m = 0; m < 13; m++) {
       source[m] = m + 1.0;
       target[m] = -77.0;
     }
     TRAITS[mask].exchange(source, target);
-    for (std::size_t m = 0; m < 12; m++) {
+    for (std::size_t m = 0; m < 13; m++) {
       if (m >= layout.size())
         EXPECT_EQ(target[m], -77.0) << "wrote beyond the history, slot " << m;
       else if (layout[m] == 's' || layout[m] == 'r')
@@ -151,10 +149,10 @@ TEST(ExchangeHistory, TwiceIsTheIdentityAlsoInPlace)
 {
   for (unsigned mask = 0; mask < NUM_COMBINATIONS; mask++) {
     SCOPED_TRACE(mask);
-    double history[11];
-    for (int m = 0; m < 11; m++) history[m] = 0.5 - m;
+    double history[12];
+    for (int m = 0; m < 12; m++) history[m] = 0.5 - m;
     TRAITS[mask].exchange(history, history);
     TRAITS[mask].exchange(history, history);
-    for (int m = 0; m < 11; m++) EXPECT_EQ(history[m], 0.5 - m);
+    for (int m = 0; m < 12; m++) EXPECT_EQ(history[m], 0.5 - m);
   }
 }

@@ -31,37 +31,44 @@ TEST(HydroLayers, SharesAreAllOfIt)
   EXPECT_EQ(wrapped(9, 4), 1);
 }
 
+// three and six components, padded to four and eight
 TEST(HydroLayers, ImagesAddUpAndComeBack)
 {
   Random rnd(21);
-  std::vector<double> field(3 * WIDE.points());
-  for (double &value : field) value = rnd.uniform(-1.0, 1.0);
-  std::vector<double> expected(3 * 240);
-  for (int c = 0; c < 3; c++)
-    for (int k = -4; k < 13; k++)
-      for (int j = 3; j < 10; j++)
-        for (int i = -9; i < 11; i++)
-          expected[240 * c + of_cell(i, j, k)] += field[c * WIDE.points() + WIDE.index(i, j, k)];
-  for (const int ranks : {1, 3, 16}) {
-    std::vector<double> back(field.size(), 99.0);
-    for (int r = 0; r < ranks; r++) {
-      const Share mine = share(10, r, ranks);
-      std::vector<double> layers(72 * mine.number()), numbers(numbers_in(WIDE, POINTS, mine));
-      pack_brick(WIDE, POINTS, mine, field.data(), numbers.data());
-      add_to_layers(WIDE, POINTS, mine, numbers.data(), layers.data());
-      for (int c = 0; c < 3; c++)
-        for (int n = 0; n < 24 * mine.number(); n++)
-          EXPECT_NEAR(layers[24 * mine.number() * c + n], expected[240 * c + 24 * mine.first + n],
-                      1e-14);
-      take_from_layers(WIDE, POINTS, mine, layers.data(), numbers.data());
-      unpack_brick(WIDE, POINTS, mine, numbers.data(), back.data());
+  for (const int components : {VECTOR, WITH_COMPANION}) {
+    const int stride = padded(components);
+    std::vector<double> field(stride * WIDE.points());
+    for (double &value : field) value = rnd.uniform(-1.0, 1.0);
+    std::vector<double> expected(components * 240);
+    const auto for_each = [&](const auto &f) {
+      for (int c = 0; c < components; c++)
+        for (int k = -4; k < 13; k++)
+          for (int j = 3; j < 10; j++)
+            for (int i = -9; i < 11; i++)
+              f(240 * c + of_cell(i, j, k), stride * WIDE.index(i, j, k) + c);
+    };
+    for_each([&](std::size_t at, std::size_t from) {
+      expected[at] += field[from];
+    });
+    for (const int ranks : {1, 3, 16}) {
+      std::vector<double> back(field.size(), 99.0);
+      for (int r = 0; r < ranks; r++) {
+        const Share mine = share(10, r, ranks);
+        std::vector<double> layers(24 * components * mine.number());
+        std::vector<double> numbers(numbers_in(WIDE, POINTS, mine, components));
+        pack_brick(WIDE, POINTS, mine, components, field.data(), numbers.data());
+        add_to_layers(WIDE, POINTS, mine, components, numbers.data(), layers.data());
+        for (int c = 0; c < components; c++)
+          for (int n = 0; n < 24 * mine.number(); n++)
+            EXPECT_NEAR(layers[24 * mine.number() * c + n], expected[240 * c + 24 * mine.first + n],
+                        1e-14);
+        take_from_layers(WIDE, POINTS, mine, components, layers.data(), numbers.data());
+        unpack_brick(WIDE, POINTS, mine, components, numbers.data(), back.data());
+      }
+      for_each([&](std::size_t at, std::size_t to) {
+        EXPECT_NEAR(back[to], expected[at], 1e-14);
+      });
     }
-    for (int c = 0; c < 3; c++)
-      for (int k = -4; k < 13; k++)
-        for (int j = 3; j < 10; j++)
-          for (int i = -9; i < 11; i++)
-            EXPECT_NEAR(back[c * WIDE.points() + WIDE.index(i, j, k)],
-                        expected[240 * c + of_cell(i, j, k)], 1e-14);
   }
 }
 

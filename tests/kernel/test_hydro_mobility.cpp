@@ -45,7 +45,7 @@ TEST(HydroMobility, SumOverWavesIsThatOfTheReference)
   }
 }
 
-// 6e-4 for the default of a support of 4.5 widths; exact in the end
+// 8e-4 at most for the default; exact in the end
 TEST(HydroMobility, GridConvergesToTheReference)
 {
   for (const int set : {1, 2}) {
@@ -53,13 +53,15 @@ TEST(HydroMobility, GridConvergesToTheReference)
     const auto error = [&](const Settings &s) {
       return relative_error(r.motion, GridMobility(r.spheres, s)(r.load));
     };
-    EXPECT_LT(error({1.0, 0.82, 4.5, 6.0}), 6.2e-4);
-    EXPECT_LT(error({1.0, 0.82, 4.5, 5.0}), 8e-4);
-    EXPECT_LT(error({0.8, 0.74, 4.5, 5.0}), 1.5e-3);
-    EXPECT_LT(error({1.0, 0.50, 7.0, 9.0}), 1e-6);
-    EXPECT_LT(error({0.8, 0.50, 7.0, 9.0}), 1e-6);    // the width is that of the method alone
+    EXPECT_LT(error({}), 8e-4);
+    EXPECT_LT(error({1.0, 0.82, 6.0, 6}), 2.5e-4);
+    EXPECT_LT(error({1.0, 0.82, 6.0, 8}), 1.5e-4);
+    EXPECT_LT(error({0.8, 0.82, 5.0, 6}), 8e-4);
+    EXPECT_LT(error({0.8, 0.82, 5.0, 4}), 4e-3);
+    EXPECT_LT(error({1.0, 0.50, 9.0, 10}), 1e-6);
+    EXPECT_LT(error({0.8, 0.50, 9.0, 10}), 1e-6);    // the width is that of the method alone
     EXPECT_LT(relative_error(spectral_motion(r.spheres, r.load, 1e-12),
-                             GridMobility(r.spheres, {1.0, 0.4, 9.0, 13.0})(r.load)),
+                             GridMobility(r.spheres, {1.0, 0.4, 13.0, 12})(r.load)),
               1e-9);
   }
 }
@@ -106,7 +108,7 @@ TEST(HydroMobility, PositiveForSpheresThatOverlap)
     s.x.push_back(rnd.vector(3.0));
     s.radius.push_back(rnd.uniform(0.7, 1.4));
   }
-  const GridMobility m(s, {1.0, 0.7, 5.5, 7.0});
+  const GridMobility m(s, {1.0, 0.7, 7.0, 8});
   const auto apply = [&](const Numbers &a, Numbers &b) {
     b = m(a);
   };
@@ -146,7 +148,7 @@ TEST(HydroMobility, OrderAndOriginDoNotMatter)
   for (std::size_t i = 0; i < n; i++)
     s.x[i] = s.x[i] + image(s.cell, static_cast<int>(i) % 3 - 1, 2, -1);
   s.cell.origin = {0.1, 0.2, 0.3};
-  const Settings exact{1.0, 0.5, 7.0, 9.0};
+  const Settings exact{1.0, 0.5, 9.0, 12};
   const Numbers elsewhere = GridMobility(s, exact)(load);
   for (Vec3 &x : s.x) x = x - s.cell.origin;
   s.cell.origin = {};
@@ -159,7 +161,7 @@ TEST(HydroMobility, OrderAndOriginDoNotMatter)
 TEST(HydroMobility, WholeTiltIsNoTilt)
 {
   const Reference r = reference(1);
-  const Settings exact{1.0, 0.5, 7.0, 8.0};
+  const Settings exact{1.0, 0.5, 8.0, 12};
   const Numbers before = GridMobility(r.spheres, exact)(r.load);
   Spheres s = r.spheres;
   s.cell.xy = s.cell.xprd;
@@ -175,7 +177,7 @@ TEST(HydroMobility, DilutedArraySettlesAsHasimotoSays)
   Spheres s{cubic(edge), {{1.1, 2.3, 0.4}}, {1.0}};
   Numbers load(11, 0.0);
   load[0] = 6.0 * PI_;
-  const double v = GridMobility(s, {1.0, 0.5, 7.0, 8.0})(load)[0];
+  const double v = GridMobility(s, {1.0, 0.5, 8.0, 12})(load)[0];
   EXPECT_NEAR(v, 1.0 - 1.7601 * std::cbrt(phi) + phi, 2e-4);
 }
 
@@ -238,7 +240,7 @@ TEST(HydroMobility, DragOfASimpleCubicArray)
     const Spheres s = array_of(ARRAYS[0], k.phi);
     Numbers motion(11, 0.0);
     motion[1] = 1.0;
-    const double drag = solved(s, motion, {1.0, 0.5, 7.5, 10.0})[1] / (6.0 * PI_);
+    const double drag = solved(s, motion, {1.0, 0.5, 10.0, 12})[1] / (6.0 * PI_);
     EXPECT_NEAR(drag, k.method, 2e-6 * k.method) << k.phi;
     EXPECT_NEAR(drag, k.exact, k.error * k.exact) << k.phi;
   }
@@ -248,7 +250,7 @@ TEST(HydroMobility, DragOfASimpleCubicArray)
 // (v', w', -E) with F = T = 0.
 double viscosity_of(const Spheres &s, int n)
 {
-  const GridMobility m(s, {1.0, 0.5, 7.5, 10.0});
+  const GridMobility m(s, {1.0, 0.5, 10.0, 12});
   Numbers strain(11 * s.size()), load(strain.size());
   for (std::size_t i = 0; i < s.size(); i++) strain[11 * i + n] = -1.0;
   const auto free = [](const Numbers &a) {

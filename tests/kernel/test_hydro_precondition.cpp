@@ -2,7 +2,6 @@
 
 #include "hydro_case.h"
 #include "hydro_precondition.h"
-#include "hydro_spline.h"
 
 #ifdef SUSPENSION_FFTW
 
@@ -43,9 +42,8 @@ class GridPreconditioner {
       resistance += 6.0 * PI_ * a;
     }
     const double h = COARSE_SPACING * mean_radius;
-    const Points points = {good_number(c.xprd / h), good_number(c.yprd / h),
-                           good_number(c.zprd / h)};
-    lattice = {c, points[0], points[1], points[2], 1.0, 1.0};
+    lattice = lattice_for(c, h, c.xy);
+    const Points points = {lattice.nx, lattice.ny, lattice.nz};
     gradients = lattice_gradients(lattice);
     solver = std::make_unique<StokesSolver>(points, 0, 1);
     Vec3 low{1e300, 1e300, 1e300}, high = -1.0 * low;
@@ -53,9 +51,9 @@ class GridPreconditioner {
       const Vec3 g = lattice_place(lattice, x);
       low = {std::fmin(low.x, g.x), std::fmin(low.y, g.y), std::fmin(low.z, g.z)};
       high = {std::fmax(high.x, g.x), std::fmax(high.y, g.y), std::fmax(high.z, g.z)};
-      splines.push_back(spline_at(lattice, x));
+      splines.push_back(spline_at(lattice, x, COARSE_POINTS));
     }
-    brick = spline_brick(low, high);
+    brick = spline_brick(low, high, COARSE_POINTS);
     weights.assign(all.size(), 1.0);
 
     const Screening screening{volume / lattice.volume()};
@@ -63,7 +61,7 @@ class GridPreconditioner {
       solver->set_response(c, [&](const WaveVector &wave) {
         double t = static_cast<double>(lattice.points()) / resistance;
         for (int d = 0; d < 3; d++) {
-          const double one = spline_wave(wave.number[d], points[d]);
+          const double one = spline_wave(wave.number[d], points[d], COARSE_POINTS);
           t /= one * one;
         }
         const WaveFactors f = factors(std::sqrt(wave.square) * mean_radius);
@@ -126,24 +124,24 @@ class GridPreconditioner {
 
   std::vector<Motion> through_grid(const std::vector<Load> &loads) const
   {
-    Numbers field(3 * brick.points());
+    Numbers field(padded(VECTOR) * brick.points());
     for (std::size_t i = 0; i < loads.size(); i++)
-      spread(splines[i], gradients, brick, loads[i], field.data());
+      spread<VECTOR>(splines[i], gradients, brick, {}, loads[i], field.data());
     const Points points = {lattice.nx, lattice.ny, lattice.nz};
-    Numbers sent(numbers_in(brick, points, solver->layers()));
-    pack_brick(brick, points, solver->layers(), field.data(), sent.data());
+    Numbers sent(numbers_in(brick, points, solver->layers(), VECTOR));
+    pack_brick(brick, points, solver->layers(), VECTOR, field.data(), sent.data());
     std::fill_n(solver->field(), 3 * solver->points(), 0.0);
-    add_to_layers(brick, points, solver->layers(), sent.data(), solver->field());
+    add_to_layers(brick, points, solver->layers(), VECTOR, sent.data(), solver->field());
     solver->to_waves();
-    std::copy_n(solver->outbox(), solver->of_forces()[0], solver->inbox());
+    solver->exchange_alone();
     solver->respond();
-    std::copy_n(solver->outbox(), solver->of_waves()[0], solver->inbox());
+    solver->exchange_alone();
     solver->to_velocities();
-    take_from_layers(brick, points, solver->layers(), solver->field(), sent.data());
-    unpack_brick(brick, points, solver->layers(), sent.data(), field.data());
+    take_from_layers(brick, points, solver->layers(), VECTOR, solver->field(), sent.data());
+    unpack_brick(brick, points, solver->layers(), VECTOR, sent.data(), field.data());
     std::vector<Motion> motions;
     for (const Spline &s : splines)
-      motions.push_back(interpolate(s, gradients, brick, field.data()));
+      motions.push_back(interpolate<VECTOR>(s, gradients, brick, {}, field.data()));
     return motions;
   }
 };

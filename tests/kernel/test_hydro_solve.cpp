@@ -128,13 +128,40 @@ TEST(HydroSolve, FactorsOfAWave)
   const auto forces = wave_field(w, cosine, sine);
   std::copy(forces.begin(), forces.end(), s.field());
   s.to_waves();
-  std::copy_n(s.outbox(), s.of_forces()[0], s.inbox());
+  s.exchange_alone();
   s.respond();
-  std::copy_n(s.outbox(), s.of_waves()[0], s.inbox());
+  s.exchange_alone();
   s.to_velocities();
   const auto expected = wave_field(w, response(cosine), response(sine));
   for (std::size_t n = 0; n < expected.size(); n++)
     EXPECT_NEAR(s.field()[n], expected[n] / 480.0, 1e-13);
+}
+
+// f and its companion g stand for f + lap g; so does the response
+TEST(HydroSolve, Companion)
+{
+  const Wave w(tilted_cell(), 2, -1, 3);
+  const double square = dot(w.k, w.k);
+  Random rnd(34);
+  const Vec3 f = rnd.vector(1.0), g = rnd.vector(1.0), force = f - square * g;
+  StokesSolver s(POINTS, 0, 1, WITH_COMPANION);
+  s.set_response(tilted_cell(), [](const WaveVector &wave) {
+    return stokes_factors(wave, ETA);
+  });
+  const auto plain = wave_field(w, f, {}), companion = wave_field(w, g, {});
+  std::copy(plain.begin(), plain.end(), s.field());
+  std::copy(companion.begin(), companion.end(), s.field() + 3 * 480);
+  s.to_waves();
+  s.exchange_alone();
+  s.respond();
+  s.exchange_alone();
+  s.to_velocities();
+  const Vec3 u = 1.0 / (ETA * square) * (force - (dot(w.k, force) / square) * w.k);
+  const auto velocity = wave_field(w, u, {}), lap = wave_field(w, -square * u, {});
+  for (std::size_t n = 0; n < velocity.size(); n++) {
+    EXPECT_NEAR(s.field()[n], velocity[n], 1e-13);
+    EXPECT_NEAR(s.field()[n + 3 * 480], lap[n], 1e-13);
+  }
 }
 
 // as many as there are layers, and more: some have none

@@ -47,6 +47,7 @@ PairCoeffs make_coeffs()
   c.normal.gap.ln_release = std::log(0.04);
   c.normal.repulsion = {2.0, 20.0};
   c.threshold = make_threshold(FrictionLaw::SHIFT, 3.0);
+  c.restitution = restitution_coeff(0.5, 1000.0 / (1.0 + 1000.0 / 800.0));
   return c;
 }
 
@@ -134,6 +135,10 @@ TEST(Power, WorkIsHeatPlusStored)
   expect_balance<Effects<ADHESION>>();
   expect_balance<Effects<ADHESION | REPULSION | FRICTION>>();
   expect_balance<Effects<ROLL | TWIST>>();
+  expect_balance<Effects<RESTITUTION>>();
+  expect_balance<Effects<RESTITUTION | FRICTION>>();
+  expect_balance<Effects<RESTITUTION | SQUEEZE>>();
+  expect_balance<Effects<RESTITUTION - 1>>();
 }
 
 TEST(Power, AlsoOfResidualFilmsInAFlow)
@@ -146,7 +151,7 @@ TEST(Power, AlsoOfResidualFilmsInAFlow)
 
 TEST(Power, EveryOriginOfHeatTakesPart)
 {
-  const Sums sums = follow<Effects<ALL>>(2, 8000, 0.0025);
+  const Sums sums = follow<Effects<RESTITUTION - 1>>(2, 8000, 0.0025);
   for (const int m : {FRICTION_CONTACT, SQUEEZE_FILM, SHEAR_FILM, ROLL_FILM, TWIST_FILM})
     EXPECT_GT(sums.heat.of[m], 1e-3 * sums.peak) << ORIGIN_NAME[m];
   EXPECT_EQ(sums.heat.of[REPULSIVE_FORCE], 0.0);
@@ -154,6 +159,9 @@ TEST(Power, EveryOriginOfHeatTakesPart)
   const double breaks = sums.heat.of[NORMAL_CONTACT] / (0.5 * 800.0 * 0.0096 * 0.0096);
   EXPECT_GT(breaks, 0.5);
   EXPECT_NEAR(breaks, std::round(breaks), 1e-9);
+  // and a dashpot adds to it
+  const Sums damped = follow<Effects<ALL>>(2, 8000, 0.0025);
+  EXPECT_GT(damped.heat.of[NORMAL_CONTACT], 1.05 * sums.heat.of[NORMAL_CONTACT]);
 }
 
 TEST(Power, ElasticContactMakesNoHeat)

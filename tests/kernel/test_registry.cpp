@@ -23,6 +23,7 @@ TypeCoeffs everything()
   c.adhesion_a = 0.01;
   c.repulsion = 3.0;
   c.screening = 0.1;
+  c.restitution = 0.5;
   return c;
 }
 

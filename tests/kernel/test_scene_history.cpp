@@ -7,7 +7,7 @@
 using namespace LAMMPS_NS::Lubcontact_NS;
 using LAMMPS_NS::Scene_NS::history_map;
 
-static constexpr unsigned ALL = NUM_COMBINATIONS - 1;
+static constexpr unsigned ALL = RESTITUTION - 1;
 
 TEST(SceneHistory, IsCarriedOverAsItIs)
 {
@@ -20,7 +20,7 @@ TEST(SceneHistory, IsCarriedOverAsItIs)
   }
 }
 
-// GAP 2, SURFACE 1, SHEAR 3, ROLL 3, TWIST 1, BOND 1
+// GAP 2, SURFACE 1, SHEAR 3, ROLL 3, TWIST 1, BOND 1, DASHPOT 1
 TEST(SceneHistory, LeavesOutTheSlotsOfAnEffect)
 {
   const unsigned no_torque = covering(ALL & ~ROLL & ~TWIST);
@@ -36,6 +36,8 @@ TEST(SceneHistory, LeavesOutTheSlotsOfAnEffect)
 
 TEST(SceneHistory, SaysWhichSlotsAreMissing)
 {
+  EXPECT_EQ(history_map(FRICTION, FRICTION | THRESHOLD | RESTITUTION),
+            (std::vector<int>{0, 1, 2, 3, -1}));
   EXPECT_EQ(history_map(covering(ALL & ~ROLL & ~TWIST), ALL),
             (std::vector<int>{0, 1, 2, 3, 4, 5, -1, -1, -1, -1, 6}));
 }

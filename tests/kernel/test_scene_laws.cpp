@@ -31,7 +31,7 @@ TEST(SceneLaws, EveryEffectOfThePairHasItsVerdict)
 {
   unsigned mask = 0;
   for (const auto &one : scene::OF_PAIR) mask |= one.bit;
-  EXPECT_EQ(mask, all_effects());
+  EXPECT_EQ(mask, all_effects() & ~RESTITUTION);    // a property of the grains: not judged
   std::vector<scene::Verdict> verdicts;
   for (int e = 0; e <= scene::FLUID_INERTIA_EFFECT; e++)
     verdicts.push_back({static_cast<scene::Effect>(e), scene::NOT_NEEDED, ""});
@@ -39,7 +39,7 @@ TEST(SceneLaws, EveryEffectOfThePairHasItsVerdict)
   verdicts[scene::CRITICAL_LOAD].answer = scene::CANNOT_TELL;
   EXPECT_EQ(scene::with_answer(verdicts, scene::NEEDED), unsigned{ROLL | REPULSION});
   EXPECT_EQ(scene::with_answer(verdicts, scene::NOT_NEEDED),
-            all_effects() & ~(ROLL | REPULSION | THRESHOLD));
+            all_effects() & ~(ROLL | REPULSION | THRESHOLD | RESTITUTION));
 }
 
 TEST(SceneLaws, NamesAreInTheOrderOfTheEffects)
@@ -79,7 +79,7 @@ TEST(SceneLaws, NumbersSwitchOnLawsOfTheSurfaces)
     EXPECT_EQ(c.screening, 0.1);
   }
   EXPECT_EQ(on.of(1, 2).g, 0.0);    // not given, still to be mixed
-  EXPECT_EQ(scene::used_effects(on), all_effects());
+  EXPECT_EQ(scene::used_effects(on), all_effects() & ~RESTITUTION);
   EXPECT_EQ(scene::used_effects(law), all_films() | FRICTION);
   const auto forces = scene::surface_forces(on.of(1, 1), 2.0);
   EXPECT_EQ(forces.critical, 2.0);

@@ -97,8 +97,8 @@ template <class F> void for_each_mask(F &&f)
 
 // Bits beyond the 32 basic ones, for the masks whose laws are compiled and tested in full: each
 // extension by itself and all of them, on the bare contact, squeeze, friction, and everything.
-using ExtendedMasks =
-    std::integer_sequence<unsigned, 36, 37, 63, 64, 65, 95, 128, 129, 159, 192, 223, 229, 254, 255>;
+using ExtendedMasks = std::integer_sequence<unsigned, 36, 37, 63, 64, 65, 95, 128, 129, 159, 192,
+                                            223, 229, 254, 255, 256, 257, 260, 293, 448, 511>;
 
 template <class F> void for_extended_masks(F &&f)
 {

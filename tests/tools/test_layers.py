@@ -14,7 +14,7 @@ LAYERS = (
     ("physics", 0, "lubcontact_*.h pairstat_*.h material_*.h fluid_*.h restart_seal.h "
                    "each_processor.h pore_closure.h pore_layer.h pore_grid.h pore_deposit.h pore_spread.h pore_operator.h "
                    "pore_solve.h pore_cg.h pore_step.h pore_tetrahedron.h pore_network.h pore_network_flow.h "
-                   "hydro_tensors.h hydro_wide.h hydro_lattice.h hydro_grid.h hydro_spread.h hydro_layers.h hydro_waves.h hydro_solve.h hydro_hold.h "
+                   "hydro_tensors.h hydro_wide.h hydro_lattice.h hydro_spread.h hydro_pairs.h hydro_layers.h hydro_waves.h hydro_solve.h hydro_hold.h "
                    "hydro_spline.h hydro_precondition.h "
                    "rheometer_flow.h rheometer_list.h rheometer_mean.h rheometer_plate.h rheometer_servo.h"),
     ("physics of the adviser", 1, "scene_numbers.h scene_verdict.h scene_bounds.h scene_settling.h scene_accuracy.h "

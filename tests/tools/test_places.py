@@ -12,8 +12,8 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
 PLACES = [    # file, text before which is inserted, what
-    ("lubcontact_effects.h", "  NUM_COMBINATIONS = 256\n",
-     "  DUMMY = 256,        // constant force\n  NUM_COMBINATIONS = 512\n"),
+    ("lubcontact_effects.h", "  NUM_COMBINATIONS = 512\n",
+     "  DUMMY = 512,        // constant force\n  NUM_COMBINATIONS = 1024\n"),
     ("lubcontact_effects.h", "  static constexpr bool squeeze = MASK & SQUEEZE;\n",
      "  static constexpr bool dummy = MASK & DUMMY;\n"),
     ("lubcontact_registry.h", "constexpr unsigned all_effects()\n",
@@ -23,7 +23,7 @@ PLACES = [    # file, text before which is inserted, what
      [](TypeCoeffs &c) { c.dummy = 0.0; }}};\n\n"""),
     ("lubcontact_coeffs.h", "  FrictionLaw law = FrictionLaw::NONE;\n};\n", "  double dummy = 0.0;    // force\n"),
     ("lubcontact_coeffs.h", "inline constexpr std::size_t NUM_COLUMNS",
-     """    {&TypeCoeffs::dummy, "dummy", "dummy", "F", true, Mixing::MEAN, 256}};\n"""),
+     """    {&TypeCoeffs::dummy, "dummy", "dummy", "F", true, Mixing::MEAN, 512}};\n"""),
     ("lubcontact_pair.h", "  if constexpr (E::friction) load.cone",
      "  if constexpr (E::dummy) load.normal += c.column[law_column(&TypeCoeffs::dummy)];\n")]
 

@@ -78,7 +78,7 @@ def relax(cell, x, v, w, **variables):
 
 def pushed():
     """Velocities under given forces; the fluid takes the forces up, and turns their work into heat."""
-    eta, hydro = 0.7, "tol 1e-9 spacing 0.65 support 6.5 reach 8"
+    eta, hydro = 0.7, "tol 1e-9 spacing 0.65 points 10 reach 8"
     cell = cell_of((7, 6, 8), (2.1, -0.7, 1.1))
     x = random_spheres(np.random.default_rng(8), cell, np.ones(14), factor=1.02)
     i = np.arange(1, 15)
@@ -98,7 +98,7 @@ def pushed():
 
 def pair():
     """Free spheres in a shear, far apart: relative motion (1 - A) e along, (1 - B) e_t across; A = 5/r^3, B = 16/(3 r^5)."""
-    edge, hydro = 48.0, "tol 1e-8 spacing 0.82 support 5.5 reach 6.5"
+    edge, hydro = 48.0, "tol 1e-8 spacing 0.82 points 10 reach 6.5"
     volume = edge**3 / (2 * 4 / 3 * np.pi)
     felt = 1 + (1 + 40 * ZUZOVSKY["sc"][1]) / volume    # strain at the pair, which its images change
     n = np.array([np.cos(0.6), np.sin(0.6), 0])
@@ -120,7 +120,7 @@ def pair():
 
 def falling_pair():
     """Two spheres side by side and one above the other; without images, which slow them down by 2.837 a/L each."""
-    edge, gap, hydro = 40.0, 0.5, "tol 1e-8 spacing 0.82 support 5.5 reach 6.5"
+    edge, gap, hydro = 40.0, 0.5, "tol 1e-8 spacing 0.82 points 10 reach 6.5"
     lattice = 2 * (2.837297 / edge - 4 * np.pi / 3 / edge**3)
     for what, n, known, spin, error in (("above", 1, ABOVE, 0.0, 0.006), ("beside", 0, BESIDE, TURN, 0.001)):
         x = np.full((2, 3), edge / 2)

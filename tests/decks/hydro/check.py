@@ -9,7 +9,7 @@ from oracle.spheres import cell_of, random_spheres, write_spheres
 SIX = ["xx", "yy", "zz", "xy", "xz", "yz"]
 OUTPUT = ["iterations", "residual"] + SIX + ["heat", "fx", "fy", "fz", "solutions", "phi"]
 GRIDS = {1: ["1 1 1"], 4: ["2 2 1", "1 1 4"]}[deck.RANKS]
-EXACT = "tol 1e-10 spacing 0.5 support 7 reach 9"
+EXACT = "tol 1e-10 spacing 0.5 points 12 reach 9"
 ETA = 0.7
 
 

@@ -7,7 +7,7 @@ import deck
 RUN = deck.ROOT / "tests" / "decks" / "hydro_run"
 SINGLE = deck.RANKS == 1    # on several ranks: what is summed over them
 GRID = {1: "1 1 1", 2: "1 2 1"}[deck.RANKS]
-EXACT = "tol 1e-8 spacing 0.5 support 6.5 reach 8"
+EXACT = "tol 1e-8 spacing 0.5 points 12 reach 8"
 MOVE = "overdamped/sphere hydro"
 ROWS = [f"c_power[{m}][{n}]" for n in (1, 2) for m in range(1, 12)]
 

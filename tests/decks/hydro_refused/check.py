@@ -43,7 +43,7 @@ CASES = [    # lines in place of the fix, message, underlined word or None, vari
     (F + " width 0", "width must be > 0, but is 0", "0"),
     (F + " spacing -1", "spacing must be > 0, but is -1", "-1"),
     (F + " spacing 1.5", "spacing must be <= 1", "1.5"),
-    (F + " support 2", "support must be at least 3, but is 2", "2"),
+    (F + " points 5", "points must be 4, 6, 8, 10 or 12, but is 5", "5"),
     (F + " reach 2.5", "reach must be at least 3, but is 2.5", "2.5"),
     (F + " reach far", "instead of 'far'", None),
     (F + " hold 3", "missing argument: z_torque", None),
@@ -89,7 +89,7 @@ CASES = [    # lines in place of the fix, message, underlined word or None, vari
 ]
 
 GOOD = (NO_FILMS + F, "unfix move\nfix o all overdamped/sphere hydro\n" + F, "pair_style lubcontact 1 residual 2 shear no gap euler\npair_coeff * * 1 1\n" + F, M, M + " viscosity v_eta isolated 2" + SHEAR, "fix p all pore/pressure 1 coupling off\n" + M, F + " hold auto", F + " hold 3 2", STYLE + " grid" + SHEAR, "fix g all gravity 1 vector 0 -1 0\n" + F + "\nfix a all ave/time 1 1 1 f_h[*]",
-        "fix h some hydro grid every 1\nfix w some setforce 0 0 0", F + " viscosity v_eta", F + " viscosity pair width 0.8 spacing 0.7 support 4 reach 6")
+        "fix h some hydro grid every 1\nfix w some setforce 0 0 0", F + " viscosity v_eta", F + " viscosity pair width 0.8 spacing 0.7 points 8 reach 6")
 TEMPLATE = (deck.CASE / "in.refused").read_text()
 USUAL = {"atoms": "sphere", "boundary": "p p p", "dim": 3, "thick": "0 12"}
 

@@ -8,7 +8,7 @@ from oracle.spheres import write_spheres
 OUTPUT = ("iterations", "residual", "xx", "yy", "zz", "xy", "xz", "yz", "heat", "fx", "fy", "fz", "solutions", "phi")
 GRID = {1: "1 1 1", 4: "2 2 1"}[deck.RANKS]
 SINGLE = deck.RANKS == 1    # on several ranks: what is summed over them
-EXACT = "tol 1e-8 spacing 0.5 support 6.5 reach 8"
+EXACT = "tol 1e-8 spacing 0.5 points 12 reach 8"
 
 
 def read(what="in.cell", **variables):

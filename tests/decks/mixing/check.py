@@ -31,11 +31,11 @@ expected = {
     ("2", "2"): words(3000, 500, 1500, 0.03, "friction", "coulomb", 0.9),
     ("2", "3"): words(2400, 4000 / 9, 12000 / 7, 0.015, *NONE),    # no friction, because 3 has none
     ("3", "3"): words(2000, 400, 2000, 0, *NONE),
-    ("3", "4"): words(4000 / 3, 400, 4000 / 3, 0.01, *NONE),    # 3 neither sticks nor repels
-    ("3", "5"): words(4000 / 3, 400, 4000 / 3, 0.02, *NONE),
-    ("4", "4"): words(1000, 400, 1000, 0.02, "friction", "clm", "step", 0.2, 4, "adhesion", 0.01, "repulsion", 2, 0.01),
-    ("4", "5"): words(1000, 400, 1000, 0.03, "friction", "clm", "step", 0.4, 6, "adhesion", 0.02, "repulsion", 4, 0.02),
-    ("5", "5"): words(1000, 400, 1000, 0.04, "friction", "clm", "step", 0.8, 9, "adhesion", 0.04, "repulsion", 8, 0.03),
+    ("3", "4"): words(4000 / 3, 400, 4000 / 3, 0.01, *NONE, "restitution", 0.9 ** 0.5),    # 3 neither sticks nor repels
+    ("3", "5"): words(4000 / 3, 400, 4000 / 3, 0.02, *NONE, "restitution", 0.4 ** 0.5),
+    ("4", "4"): words(1000, 400, 1000, 0.02, "friction", "clm", "step", 0.2, 4, "adhesion", 0.01, "repulsion", 2, 0.01, "restitution", 0.9),
+    ("4", "5"): words(1000, 400, 1000, 0.03, "friction", "clm", "step", 0.4, 6, "adhesion", 0.02, "repulsion", 4, 0.02, "restitution", 0.6),
+    ("5", "5"): words(1000, 400, 1000, 0.04, "friction", "clm", "step", 0.8, 9, "adhesion", 0.04, "repulsion", 8, 0.03, "restitution", 0.4),
     ("1", "4"): GIVEN, ("1", "5"): GIVEN, ("2", "4"): GIVEN, ("2", "5"): GIVEN,
 }
 found = coefficients("mixed.data")

@@ -16,7 +16,7 @@ def balance(dt, **case):
 
 
 ALL = {"contact": "friction clm shift 0.5 0.5 adhesion 0.005 repulsion 2 0.02"}
-CASES = ({}, {"newton": "off"}, {"dim": 2}, {"density": 5}, {"keywords": "squeeze no", **ALL},
+CASES = ({}, {"newton": "off"}, {"dim": 2}, {"density": 5}, {"keywords": "squeeze no", **ALL}, {"contact": "friction coulomb 0.5 restitution 0.3"},
          {"keywords": "shear no roll no twist no"}, {"more": "fix drag all drag/background 1 cell", "density": 5},
          {"flow": "deform/rheometer rate 1 pressure 20"})
 WITHOUT_INERTIA = {"fraction": 0.25, "overdamped": "yes"}

@@ -8,7 +8,7 @@ import numpy as np
 
 import deck
 
-LAWS = "friction brizmer 0.5 5 adhesion 0.002 repulsion 20 0.02"
+LAWS = "friction brizmer 0.5 5 adhesion 0.002 repulsion 20 0.02 restitution 0.5"
 
 deck.make_state(shape="orthogonal")
 straight = deck.run("in.straight", coeffs=LAWS)
