@@ -37,6 +37,18 @@ def extrapolate(x, y, errors):
     return fit, np.sqrt(np.diag(covariance))
 
 
+def collapse(rows, friction):
+    """One law for both regimes, phi = phi_c - a K^n with K = J + alpha I^2 (Dong 2020): the four numbers, and how far rows are off."""
+    mine = [row for row in rows if row["friction"] == friction and float(row["number"]) <= LARGEST[row["regime"]]]
+    if len({row["regime"] for row in mine}) < 2 or len(mine) < 6:
+        return None
+    number, phi = columns(mine, "number", "phi")
+    viscous = np.array([row["regime"] == "viscous" for row in mine])
+    J, I2 = np.where(viscous, number, 0.0), np.where(viscous, 0.0, number**2)
+    return curve_fit(lambda x, limit, slope, exponent, alpha: limit - slope * (x[0] + alpha * x[1])**exponent, (J, I2), phi,
+                     [0.83, 0.5, 0.4, 0.2], bounds=([0, 0, 0.1, 0], [1, 5, 2, 10]), full_output=True)
+
+
 def draw(rows, name):
     fig, axes = plt.subplots(2, 2, figsize=(9.5, 7), sharey="row")
     for column, regime in enumerate(NAMES):
@@ -62,6 +74,12 @@ def draw(rows, name):
                 axes[0, column].axhline(MU_C[friction], color=color, lw=0.8, ls="--")
         axes[1, column].set_xlabel(NAMES[regime])
         axes[0, column].set_title({"viscous": "viscous, no inertia", "inertial": "dry, inertial"}[regime])
+    for friction in sorted({row["friction"] for row in rows}, key=float):
+        found = collapse(rows, friction)
+        if found:
+            fit, off = found[0], found[2]["fvec"]
+            print(f"friction {friction}: phi = {fit[0]:.4f} - {fit[1]:.3f} (J + {fit[3]:.3f} I^2)^{fit[2]:.3f} in both regimes, "
+                  f"off by {np.sqrt(np.mean(off**2)):.4f} (rms)")
     for ax, place in zip(axes.flat, ["upper left"] * 2 + ["lower left"] * 2):
         ax.set_xscale("log")
         if ax.get_legend_handles_labels()[0]:

@@ -30,5 +30,15 @@ for regime in "viscous", "inertial":
     deck.expect_close(f"{regime}: pressure", float(short[regime]["p"]), 1.0, atol=0.03)
     deck.expect_close(f"{regime}: phi", float(short[regime]["phi"]), float(full[regime]["phi"]), atol=0.02)
     deck.expect_close(f"{regime}: mu", float(short[regime]["mu"]), float(full[regime]["mu"]), rtol=0.15)
+
+# the table of the example: contacts of both regimes are the same, so that one law holds for both
+sys.path[:0] = [str(folder), str(folder.parent / "scene")]
+import cases
+import plot
+
+for friction in "0", "0.4":
+    found = plot.collapse(cases.read(folder / "discs_2d.csv"), friction)
+    deck.expect(f"one law phi(J + alpha I^2), friction {friction}", found and abs(found[2]["fvec"]).max() < 0.003,
+                f"{abs(found[2]['fvec']).max():.4f}")
 deck.expect("figure is drawn", Path("short.png").stat().st_size > 1e4)
 deck.finish()
