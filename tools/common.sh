@@ -2,6 +2,7 @@
 # Sourced by the other tools: where things are. From the environment:
 #   SUSPENSION_LAMMPS   LAMMPS release: 4Feb2025 (default) or 4Jul2026
 #   SUSPENSION_SIZES    integer sizes of that LAMMPS: smallbig (default) or bigbig
+#   SUSPENSION_JOBS     how many compilers run at a time, default: one for each core
 #   SUSPENSION_CACHE    where LAMMPS is unpacked and built, default ~/.cache/suspension
 #   LAMMPS_SOURCE_DIR, LAMMPS_EXECUTABLE   both: a LAMMPS of your own; then nothing is fetched and LAMMPS is not built
 
@@ -12,6 +13,7 @@ cache=${SUSPENSION_CACHE:-${XDG_CACHE_HOME:-$user_cache}/suspension}
 say() { echo "suspension: $*" >&2; }
 die() { say "$*"; exit 1; }
 
+jobs=${SUSPENSION_JOBS:-$(nproc)}
 sizes=${SUSPENSION_SIZES:-smallbig}
 case $sizes in
   smallbig) of_sizes= ;;
@@ -71,7 +73,7 @@ run_ninja() {
   : >"$folder/build.log"
   show_progress "$what" "$folder/build.log" 9>&- &
   watcher=$!
-  NINJA_STATUS='[%f/%t] ' ninja -C "$folder" -j "$(nproc)" "$@" >>"$folder/build.log" 2>&1 || code=$?
+  NINJA_STATUS='[%f/%t] ' ninja -C "$folder" -j "$jobs" "$@" >>"$folder/build.log" 2>&1 || code=$?
   kill "$watcher" 2>/dev/null || true
   wait "$watcher" 2>/dev/null || true
   if [ "$code" != 0 ]; then

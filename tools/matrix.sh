@@ -26,5 +26,5 @@ build() {
 }
 
 build clang "suspensionplugin kernel_tests hard_kernel_cases" -D CMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -D LAMMPS_SIZES="$sizes"
-ctest --test-dir "$build/matrix/clang" --output-on-failure -j "$(nproc)" -R "^(kernel|hard)\.[A-Z]|^deck\.($decks)"
+ctest --test-dir "$build/matrix/clang" --output-on-failure -j "$jobs" -R "^(kernel|hard)\.[A-Z]|^deck\.($decks)"
 build bigbig suspensionplugin -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG=-O0 -D LAMMPS_SIZES=bigbig -D SUSPENSION_TESTS=OFF

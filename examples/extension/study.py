@@ -5,7 +5,6 @@ usage: tools/python.sh study.py [--phi 0.40 0.45 0.50 0.53] [--friction 0.5 0] [
 Appends to the table and skips the cases it already holds. --draw only draws what the table holds.
 Stresses in the table are over viscosity*rate, rate = sqrt(2 E:E).
 """
-import argparse
 import sys
 from pathlib import Path
 
@@ -46,16 +45,9 @@ def measure(case):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--phi", nargs="+", default=["0.40", "0.45", "0.50", "0.53"])
+    parser = cases.parser(__doc__, HERE / "study.csv", ["0.40", "0.45", "0.50", "0.53"], "1000", "3.5")
     parser.add_argument("--friction", nargs="+", default=["0.5", "0"])
-    parser.add_argument("--particles", default="1000")
-    parser.add_argument("--strain", default="3.5")
     parser.add_argument("--seeds", type=int, default=2)
-    parser.add_argument("--only", type=int, help="the first cases")
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--table", default=str(HERE / "study.csv"))
-    parser.add_argument("--draw", action="store_true")
     args = parser.parse_args()
     if not args.draw:
         todo = [{"flow": flow, "friction": friction, "phi": phi, "N": args.particles, "strain": args.strain, "seed": seed}

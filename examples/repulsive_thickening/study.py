@@ -5,7 +5,6 @@ usage: tools/python.sh study.py [--phi 0.45 0.5] [--particles 400] [--strain 10]
 Appends to the table and skips the cases it already holds. --draw only draws what the table holds.
 Forces in the table are over viscosity*rate*radius^2, stresses over viscosity*rate.
 """
-import argparse
 import sys
 from pathlib import Path
 
@@ -40,14 +39,7 @@ def measure(case):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--phi", nargs="+", default=["0.45", "0.5"])
-    parser.add_argument("--particles", default="400")
-    parser.add_argument("--strain", default="10")
-    parser.add_argument("--only", type=int, help="the first cases")
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--table", default=str(HERE / "study.csv"))
-    parser.add_argument("--draw", action="store_true")
+    parser = cases.parser(__doc__, HERE / "study.csv", ["0.45", "0.5"], "400", "10")
     args = parser.parse_args()
     if not args.draw:
         todo = [{**case, "N": args.particles, "strain": args.strain} for case in study_cases(args.phi)]

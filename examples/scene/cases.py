@@ -1,4 +1,5 @@
 """Tables of studies: one row a case, appended as the runs end, so that a study can be stopped and extended."""
+import argparse
 import csv
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -29,6 +30,19 @@ def run(cases, measure, table, fields, jobs=1):
                 writer.writerow(row)
                 file.flush()
                 print("  ".join(f"{name} {value}" for name, value in row.items()), flush=True)
+
+
+def parser(doc, table, phi, particles, strain):
+    """Options that studies share, with defaults; table: the whole one."""
+    options = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--phi", nargs="+", default=phi)
+    options.add_argument("--particles", default=particles)
+    options.add_argument("--strain", default=strain)
+    options.add_argument("--only", type=int, help="the first cases")
+    options.add_argument("--jobs", type=int, default=1)
+    options.add_argument("--table", default=str(table))
+    options.add_argument("--draw", action="store_true")
+    return options
 
 
 def columns(rows, *names):

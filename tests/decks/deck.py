@@ -4,6 +4,7 @@ A case is a folder with decks in.* and a check.py, which ctest runs in a scratch
 environment says what to run: LAMMPS_EXECUTABLE, MPIRUN (a wrapper: MPIRUN ranks command), RANKS,
 LAMMPS_PLUGIN_PATH.
 """
+import csv
 import os
 import re
 import subprocess
@@ -103,6 +104,18 @@ def draw_example(name, *figures, options=()):
     for figure in figures:
         expect(f"{figure} is drawn", Path(figure).exists() and Path(figure).stat().st_size > 1e4)
     return done.stdout
+
+
+def study_example(name, rows, *options):
+    """Runs the study.py of an example with these options, shortened: the rows that it must make, and its figure."""
+    Path("short.csv").unlink(missing_ok=True)
+    done = subprocess.run([sys.executable, str(ROOT / "examples" / name / "study.py"), *options, "--table", "short.csv"],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    print(done.stdout)
+    expect("study runs", done.returncode == 0)
+    with open("short.csv", encoding="ascii") as file:
+        expect("one row a case", len(list(csv.DictReader(file))) == rows)
+    expect("figure is drawn", Path("figure.png").stat().st_size > 1e4)
 
 
 def read_dump(name):

@@ -1,9 +1,6 @@
 # ranks: 1
 """The example examples/extension, shortened: cells are drawn out, without friction the viscosity is that of shear; its study runs."""
-import csv
-import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 
@@ -32,13 +29,5 @@ for flow, share in study.SHARE.items():
 for flow in ("planar", "uniaxial"):
     deck.expect_close(f"{flow}: viscosity over that in shear", viscosity[flow] / viscosity["shear"], 1, rtol=0.12)
 
-Path("short.csv").unlink(missing_ok=True)
-done = subprocess.run([sys.executable, str(ORIGIN / "study.py"), "--phi", "0.40", "--only", "2", "--particles", "80", "--strain",
-                       "1.3", "--table", "short.csv"],
-                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-print(done.stdout)
-deck.expect("study runs", done.returncode == 0)
-with open("short.csv", encoding="ascii") as file:
-    deck.expect("one row a case", len(list(csv.DictReader(file))) == 2)
-deck.expect("figure is drawn", Path("figure.png").stat().st_size > 1e4)
+deck.study_example("extension", 2, "--phi", "0.40", "--only", "2", "--particles", "80", "--strain", "1.3")
 deck.finish()

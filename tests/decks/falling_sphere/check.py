@@ -1,6 +1,6 @@
 # ranks: 1 2
 """A sphere settles on a fixed one: smooth (exponential closure), rough (rests on the asperities), rough and too
-heavy for them (exponential closure under what the crushed asperities leave of the weight).
+heavy for them (exponential closure under what the crushed asperities leave of the weight). On two ranks as on one.
 
 The film carries c u'/u, c = (3/2) pi eta a^2, and the weight is W = (4/3) pi a^3 rho gravity, so that
 W/c = (8/9)/tc, tc = eta/(a rho gravity) = 1. With force c u'/u on the falling sphere Newton's law
@@ -10,7 +10,7 @@ whatever the stiffness: the last term, 4e-5 at most, is all that inertia and ela
 """
 import numpy as np
 
-from deck import PAIR, expect, expect_close, finish, run
+from deck import PAIR, RANKS, expect, expect_close, finish, run
 from oracle.normal_pair import Pair, film
 
 ETA, RADIUS, DENSITY = 1.0, 1.0, 5e-4
@@ -25,9 +25,9 @@ LN_U = 1e-6
 UN = 1e-6 * U0
 
 
-def simulate(eps, k, gap="exponential"):
+def simulate(eps, k, gap="exponential", duration=DURATION, rows=48, ranks=1):
     rows = run(PAIR / "in.fall", eta=ETA, a=RADIUS, density=DENSITY, g=G, k=k, eps=eps, u0=U0, gap=gap,
-               duration=DURATION).thermo()
+               duration=duration, rows=rows, ranks=ranks).thermo()
     return rows["Time"], np.log(rows["c_u"]), rows["v_un"], rows["v_v"]
 
 
@@ -38,6 +38,14 @@ def settle(what, eps, k):
     expect_close(f"{what}: un against SciPy", un, exact[0], atol=UN)
     return t, ln_u, un, v
 
+
+# on two ranks: through the first touch, as on one
+if RANKS > 1:
+    one, two = (simulate(2 * WEIGHT / (K * RADIUS), K, duration=6, rows=24, ranks=ranks) for ranks in (1, RANKS))
+    for name, a, b in zip(("time", "ln u", "un", "v"), one, two):
+        expect_close(f"ranks: {name}", b, a, atol=1e-12)
+    expect("ranks: touched", one[1][-1] < np.log(2 * WEIGHT / K), f"{one[1][-1]:.3f}")
+    finish()
 
 # smooth: nine decades
 t, ln_u, un, v = settle("smooth", 0.0, G)

@@ -1,5 +1,5 @@
-# ranks: 1 2 4
-"""fix hydro grid: the loads of spheres against a full matrix."""
+# ranks: 1 4
+"""fix hydro grid: the loads of spheres against a full matrix; on several ranks against those of one."""
 import numpy as np
 
 import deck
@@ -8,7 +8,7 @@ from oracle.spheres import cell_of, random_spheres, write_spheres
 
 SIX = ["xx", "yy", "zz", "xy", "xz", "yz"]
 OUTPUT = ["iterations", "residual"] + SIX + ["heat", "fx", "fy", "fz", "solutions", "phi"]
-GRIDS = {1: ["1 1 1"], 2: ["1 1 2", "2 1 1"], 4: ["2 2 1", "1 1 4"]}[deck.RANKS]
+GRIDS = {1: ["1 1 1"], 4: ["2 2 1", "1 1 4"]}[deck.RANKS]
 EXACT = "tol 1e-10 spacing 0.5 points 12 reach 9"
 ETA = 0.7
 
@@ -30,7 +30,7 @@ def instant(**variables):
 
 
 def against_the_matrix(what, edges, tilts, radius, rate, seed, **variables):
-    """Forces, torques, stress and heat of one moment; in a cell with a tilt, which shears."""
+    """Forces, torques, stress and heat of one moment, also in a cell with a tilt, which shears."""
     rnd = np.random.default_rng(seed)
     cell, x, v, w = spheres(rnd, edges, tilts, radius)
     edges_move = np.zeros((3, 3))
@@ -40,21 +40,25 @@ def against_the_matrix(what, edges, tilts, radius, rate, seed, **variables):
     flow = f"fix flow all deform 1 xy erate {rate:.17g} remap v" if rate else ""
     flow_v = x @ gradient.T
     flow_w = np.array([0, gradient[0, 2] / 2, -gradient[0, 1] / 2])
-    loads = [ETA * load for load in far_field.loads(cell, x, radius, v - flow_v, w - flow_w, strain)]
+    if deck.RANKS == 1:
+        loads = [ETA * load for load in far_field.loads(cell, x, radius, v - flow_v, w - flow_w, strain)]
+        stress = -np.sum(loads[2], axis=0)[(0, 1, 2, 0, 0, 1), (0, 1, 2, 1, 2, 2)] / np.linalg.det(cell)
+        heat = np.sum(loads[0] * (v - flow_v)) + np.sum(loads[1] * (w - flow_w)) - np.sum(loads[2] * strain)
+    else:    # which the matrix judges in the test on one rank
+        t, *loads = instant(ranks=1, grid="* * *", flow=flow, hydro=f"grid every 1 {EXACT}", **variables)
+        stress, heat = np.array([t[n] for n in SIX]), t["heat"]
     scale = [np.max(np.abs(load)) for load in loads]
+    few = 1 if deck.RANKS == 1 else 1e-3    # between ranks digits at the end differ
     for grid in GRIDS:
         t, force, torque = instant(grid=grid, flow=flow, hydro=f"grid every 1 {EXACT}", **variables)
         name = f"{what}, ranks {grid}"
-        deck.expect_close(f"{name}: forces", force / scale[0], loads[0] / scale[0], atol=3e-7)
-        deck.expect_close(f"{name}: torques", torque / scale[1], loads[1] / scale[1], atol=3e-7)
-        stress = -np.sum(loads[2], axis=0) / np.linalg.det(cell)
+        deck.expect_close(f"{name}: forces", force / scale[0], loads[0] / scale[0], atol=3e-7 * few)
+        deck.expect_close(f"{name}: torques", torque / scale[1], loads[1] / scale[1], atol=3e-7 * few)
         found = np.array([t[n] for n in SIX])
-        expected = stress[(0, 1, 2, 0, 0, 1), (0, 1, 2, 1, 2, 2)]
-        deck.expect_close(f"{name}: stress", found / np.max(np.abs(stress)), expected / np.max(np.abs(stress)), atol=1e-6)
-        heat = np.sum(loads[0] * (v - flow_v)) + np.sum(loads[1] * (w - flow_w)) - np.sum(loads[2] * strain)
-        deck.expect_close(f"{name}: heat", t["heat"], heat, rtol=1e-6)
+        deck.expect_close(f"{name}: stress", found / np.max(np.abs(stress)), stress / np.max(np.abs(stress)), atol=1e-6 * few)
+        deck.expect_close(f"{name}: heat", t["heat"], heat, rtol=1e-6 * few)
         deck.expect_close(f"{name}: sum of forces", [t[n] for n in ("fx", "fy", "fz")], -np.sum(loads[0], axis=0),
-                          atol=1e-6 * scale[0])
+                          atol=1e-6 * few * scale[0])
 
 
 def same(what, found, expected):
@@ -112,7 +116,8 @@ if __name__ == "__main__":
     against_the_matrix("equal spheres, orthogonal", (7, 6, 8), (0, 0, 0), equal, 0.0, 1)
     against_the_matrix("two sizes and a third, triclinic", (6, 6.5, 7), (2.1, -0.7, 1.1), mixed, 0.0, 2)
     against_the_matrix("equal spheres, sheared", (7, 6, 8), (2.4, 0, 0), equal, 1.3, 3)
+    mixed = np.array([1.0] * 4 + [0.7] * 3 + [0.5] * 6)    # the matrix of smaller ones takes longer
     against_the_matrix("newton off", (6, 6.5, 7), (2.1, -0.7, 1.1), mixed, 0.8, 4, newton="off")
-    if deck.RANKS == 1:    # the matrix is the judge of several
+    if deck.RANKS == 1:
         described_anew()
     deck.finish()

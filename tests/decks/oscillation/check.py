@@ -7,7 +7,7 @@ import numpy as np
 
 import deck
 
-deck.run_example("oscillation", N=200, amplitude=0.1, path=0.1, cycles=4, presheared=1)
+deck.run_example("oscillation", N=100, amplitude=0.1, path=0.1, cycles=4, presheared=1)
 data = deck.read_stress()
 dt = float(Path("scene.txt").read_text().split()[-1])
 # each line is the mean over the last ten samples of a line, (1 ... 10)/10 of it, of 80 lines a cycle

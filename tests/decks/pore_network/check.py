@@ -49,7 +49,7 @@ if SINGLE:
     deck.expect_close("sc, alpha 1: drag", drag(arrangement="sc", phi=np.pi / 6, words="alpha 1")[0], 2 / (9 * np.pi / 6 * k), rtol=0.015)
 # Random packings: the law of Kozeny and Carman, from which direct Stokes solutions differ by 7 % (32 spheres). Random points that
 # are only pushed apart leave voids at small phi, and are more permeable.
-for phi, separation in ((0.5, 0.05), (0.55, 0.05), (0.6, 0)) if SINGLE else ((0.55, 0.05),):
+for phi, separation in ((0.5, 0.05), (0.55, 0.05), (0.6, 0)) if SINGLE else ():
     packing = {"arrangement": "random", "phi": phi, "N": 300, "separation": separation}
     a, solid, t = drag(**packing)
     deck.expect_close(f"phi {phi}: drag", a, kozeny(solid), rtol=0.12)
@@ -63,12 +63,19 @@ for phi, separation in ((0.5, 0.05), (0.55, 0.05), (0.6, 0)) if SINGLE else ((0.
         c, _, _ = drag(**packing, twice="yes", tilted="yes")
         deck.expect_close("twice the cell", b, a, rtol=1e-5)
         deck.expect_close("and with a tilt", c, b, rtol=1e-9)
+if not SINGLE:
+    packing = {"arrangement": "random", "phi": 0.55, "N": 100}
+    a, _, t = drag(**packing)
+    b, _, _ = drag(**packing, twice="yes", tilted="yes")
+    deck.expect_close("several ranks: the gradient does what turns into heat", t["heat"], SLOPE * t["f_pore[1][5]"], rtol=1e-9)
+    deck.expect_close("several ranks: twice the cell, with a tilt", b, a, rtol=1e-5)
 
 # ---- coupled to the motion
 
+STEPS = 60 if SINGLE else 30
 deck.make_state()
 for what, case in FLOWS.items():
-    t, d = read(**case), deck.read_dump("cell.dump")
+    t, d = read(**case, steps=STEPS), deck.read_dump("cell.dump")
     size = np.sum(np.abs([d[f"f_pore[{n}]"] for n in (1, 2, 3)]))
     deck.expect(f"{what}: the pores push", size > 100 and np.all(t["largest"] > 1), f"{size:.4g}")
     for n, name in enumerate(("fx", "fy", "fz")):
@@ -77,15 +84,15 @@ for what, case in FLOWS.items():
         deck.expect_close(f"{what}: row 7 is minus the mean pressure, which is 0", t[f"c_stress[7][{n + 1}]"], -t["mean"],
                           atol=1e-14 * t["largest"][0])
     deck.expect(f"{what}: solved to the tolerance", np.all(t["iterations"] > 3) and np.all(t["residual"] < 1e-8))
-    for other, variables in (("one rank", {"ranks": 1}), ("newton off", {"newton": "off"})):
-        o = read(**case, **variables)
+    for other, variables in (("newton off", {"newton": "off"}),) + (() if SINGLE else (("one rank", {"ranks": 1}),)):
+        o = read(**case, **variables, steps=STEPS)
         for name in ("largest", "heat", "power", "PotEng", "KinEng", "k_min", "k_max"):
             scale = np.max(np.abs(t[name]))
             deck.expect_close(f"{what}, {other}: {name}", o[name], t[name], atol=1e-10 * scale)
 
     # a restart, also with pores that are kept, and with a fluid that stores
     for words in ("", " storage 1e-4") if SINGLE else ("",):
-        steps = 100
+        steps = STEPS
         whole = read(steps=steps, grid=GRID, half="yes", **case, pore=NETWORK + words)
         again = read("../pore_cell/in.restarted", steps=steps, grid=GRID, **case, pore=NETWORK + words)
         deck.expect_same_bits(f"{what}{words}: restart", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))
@@ -95,15 +102,15 @@ for what, case in FLOWS.items():
 
 # off: the pressure is known, and nothing else
 for what, case in FLOWS.items() if SINGLE else ():
-    off, a = read(pore=NETWORK + " coupling off", **case), deck.read_dump("cell.dump")
-    none, b = read(**{"with": "no"}, **case), deck.read_dump("cell.dump")
+    off, a = read(pore=NETWORK + " coupling off", **case, steps=STEPS), deck.read_dump("cell.dump")
+    none, b = read(**{"with": "no"}, **case, steps=STEPS), deck.read_dump("cell.dump")
     deck.expect_same_bits(f"{what}: coupling off", {name: a[name] for name in b}, b)
     deck.expect(f"{what}: off, but it has a pressure", np.all(off["largest"] > 1) and np.all(off["power"] == 0))
 
 
 def balance(fraction, **case):
     """Defect of the balance of energy and the share of the pores, over what was put in."""
-    dt, t = 5e-4 * fraction, read(fraction=fraction, steps=int(200 / fraction), **case)
+    dt, t = 5e-4 * fraction, read(fraction=fraction, steps=int(100 / fraction), **case)
     defect, heat = deck.power_balance(t, dt)
     return defect, heat[9], t
 
@@ -114,13 +121,13 @@ for what, case in FLOWS.items() if SINGLE else ():
     deck.expect(f"{what}: row 10 is value 16", np.array_equal(t["c_power[10][1]"], t["power"]))
     deck.expect(f"{what}: the pores take part", share > 0.05, f"{share:.3g}")
     deck.expect(f"{what}: the balance closes", fine < 0.3 * coarse and fine < 0.01, f"{coarse:.1e} {fine:.1e}")
-    deck.expect_close(f"{what}: they turn into heat what they are given", np.mean(t["power"][80:]),
-                      np.mean((t["heat"] * t["Volume"])[80:]), rtol=0.02)
+    deck.expect_close(f"{what}: they turn into heat what they are given", np.mean(t["power"][40:]),
+                      np.mean((t["heat"] * t["Volume"])[40:]), rtol=0.02)
 
 # a flip of the cell changes nothing: the pores are the same
 if SINGLE:
     for flip in ("yes", "no"):
-        t = read(flow=f"deform 1 xy erate 1.0 remap v flip {flip}", tilt=0.45)
+        t = read(flow=f"deform 1 xy erate 1.0 remap v flip {flip}", tilt=0.45, steps=120)
         if flip == "yes":
             flipped = t
     deck.expect("only one flips", np.ptp(flipped["Xy"]) > 1.5 * np.ptp(t["Xy"]))
@@ -175,9 +182,9 @@ for walls, motion in (("open", "rate 1 pressure 5"), ("below closed", "stress 10
         deck.expect_close(f"{walls}: what leaves is what the plate takes", np.mean(flux[late]), -np.mean(speed[late]), rtol=0.05)
     if walls in ("open", "above closed"):
         deck.expect_close(f"{walls}: pressure of the drained plate", t["lower"], OUTSIDE, rtol=1e-14)
-    one = sheared(walls, motion, steps=60, ranks=1 if not SINGLE else 2)
+    one = sheared(walls, motion, steps=20, ranks=1 if not SINGLE else 2)
     for name in ("largest", "heat", "KinEng"):
-        deck.expect_close(f"{walls}, other ranks: {name}", one[name], t[name], atol=1e-10 * np.max(np.abs(t[name])))
+        deck.expect_close(f"{walls}, other ranks: {name}", one[name], t[name][:21], atol=1e-10 * np.max(np.abs(t[name])))
     whole = sheared(walls, motion, steps=60, half="yes", grid=GRID)
     again = sheared(walls, motion, "in.restarted", grid=GRID)
     deck.expect_same_bits(f"{walls}: restart", deck.read_dump("restarted.dump"), deck.read_dump("whole.dump"))

@@ -1,5 +1,5 @@
 # ranks: 1 2
-"""The balance of energy closes: what shear puts in is stored, kinetic, or turned into heat, by origin."""
+"""The balance of energy closes: what shear puts in is stored, kinetic, or turned into heat, by origin; the same on two ranks."""
 import numpy as np
 
 import deck
@@ -19,7 +19,15 @@ ALL = {"contact": "friction clm shift 0.5 0.5 adhesion 0.005 repulsion 2 0.02"}
 CASES = ({}, {"newton": "off"}, {"dim": 2}, {"density": 5}, {"keywords": "squeeze no", **ALL}, {"contact": "friction coulomb 0.5 restitution 0.3"},
          {"keywords": "shear no roll no twist no"}, {"more": "fix drag all drag/background 1 cell", "density": 5},
          {"flow": "deform/rheometer rate 1 pressure 20"})
-for case in CASES if deck.RANKS == 1 else (CASES[1], CASES[4], CASES[-1]):    # other ranks: sums over ranks, with all origins
+WITHOUT_INERTIA = {"fraction": 0.25, "overdamped": "yes"}
+if deck.RANKS > 1:    # sums over ranks, with all origins: those of one rank
+    for case in (CASES[1], CASES[4], CASES[-1], WITHOUT_INERTIA):
+        deck.make_state()
+        one, several = (deck.run("in.power", steps=100, ranks=ranks, **case).thermo() for ranks in (1, deck.RANKS))
+        for name in (name for name in one if name.startswith("c_p")):
+            deck.expect_close(f"{case}: {name}", several[name], one[name], atol=1e-7 * np.max(np.abs(one[name])))
+    deck.finish()
+for case in CASES:
     dim = case.get("dim", 3)
     deck.make_state(dim=dim, phi=0.5 if dim == 3 else 0.75, density=case.get("density", 0.05))
     defect, share, heat = balance(5e-4, **case)
@@ -30,7 +38,7 @@ for case in CASES if deck.RANKS == 1 else (CASES[1], CASES[4], CASES[-1]):    # 
 
 # without inertia, below the limit of the step that the drag sets
 deck.make_state()
-defect, share, heat = balance(1.25e-4, fraction=0.25, steps=2000, overdamped="yes")
+defect, share, heat = balance(1.25e-4, steps=2000, **WITHOUT_INERTIA)
 deck.expect("    the balance closes", defect < 1e-4, f"{defect:.1e}")
 deck.expect("    no origin makes energy, drag takes part", np.all(np.sum(heat, axis=0) >= 0) and share[7] > 0.01, f"{share[7]:.3g}")
 

@@ -1,9 +1,6 @@
 # ranks: 1
 """The example examples/repulsive_thickening, shortened: repelled spheres thicken where stress presses them together; its study runs."""
-import csv
-import subprocess
 import sys
-from pathlib import Path
 
 import deck
 
@@ -24,13 +21,5 @@ deck.expect("a small one is overcome", contacts["1", 0.5] > 2, f"{contacts['1', 
 deck.expect("and the viscosity is more than twice as large", viscosity["1", 0.5] > 2 * viscosity["1000", 0.5],
             f"{viscosity['1', 0.5]:.1f} {viscosity['1000', 0.5]:.1f}")
 
-Path("short.csv").unlink(missing_ok=True)
-done = subprocess.run([sys.executable, str(ORIGIN / "study.py"), "--phi", "0.45", "--only", "2", "--particles", "80", "--strain",
-                       "0.6", "--table", "short.csv"],
-                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-print(done.stdout)
-deck.expect("study runs", done.returncode == 0)
-with open("short.csv", encoding="ascii") as file:
-    deck.expect("one row a case", len(list(csv.DictReader(file))) == 2)
-deck.expect("figure is drawn", Path("figure.png").stat().st_size > 1e4)
+deck.study_example("repulsive_thickening", 2, "--phi", "0.45", "--only", "2", "--particles", "80", "--strain", "0.6")
 deck.finish()

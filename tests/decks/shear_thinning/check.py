@@ -1,9 +1,6 @@
 # ranks: 1
 """The example examples/shear_thinning, shortened: friction that falls with the load thins, its study runs."""
-import csv
-import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 
@@ -27,13 +24,5 @@ deck.expect_close("and Coulomb's under the large one", coefficient["0.02"], 0.27
 deck.expect("more than 1.3 times as viscous under a small stress", viscosity["2000"] > 1.3 * viscosity["0.02"],
             f"{viscosity['0.02']:.1f} {viscosity['2000']:.1f}")
 
-Path("short.csv").unlink(missing_ok=True)
-done = subprocess.run([sys.executable, str(ORIGIN / "study.py"), "--phi", "0.40", "--only", "2", "--particles", "80", "--strain",
-                       "0.6", "--table", "short.csv"],
-                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-print(done.stdout)
-deck.expect("study runs", done.returncode == 0)
-with open("short.csv", encoding="ascii") as file:
-    deck.expect("one row a case", len(list(csv.DictReader(file))) == 2)
-deck.expect("figure is drawn", Path("figure.png").stat().st_size > 1e4)
+deck.study_example("shear_thinning", 2, "--phi", "0.40", "--only", "2", "--particles", "80", "--strain", "0.6")
 deck.finish()
