@@ -29,7 +29,7 @@ FIELDS = CASE + ["first", "second", "iterations", "cpu"]
 FINEST = "spacing 0.5 points 12 reach 9 tol 1e-9"
 MOMENT = {"tol": [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4], "spacing": [1.0, 0.9, 0.82, 0.69, 0.5], "points": [4, 6, 8, 10, 12],
           "reach": [3, 4, 5, 6, 7], "width": [0.8, 0.9, 1, 1.1, 1.25]}
-FLOW = {"strain": [0.01, 0.0025, 0.005, 0.02, 0.00125], "tol": [0.1, 0.001], "hold": ["8 2", "15.4 15"]}    # others: the base
+FLOW = {"strain": [0.01, 0.0025, 0.005, 0.02, 0.00125], "tol": [0.1, 0.03], "hold": ["20 4"]}    # others: the base
 BASE = {"strain": "0.0025", "tol": "0.01", "hold": "auto"}
 PARTICLES, STRAIN = 500, 6
 

@@ -248,7 +248,7 @@ inline double missing_viscosity(double phi)
 {
   static constexpr int NUM = 7;
   static constexpr double PHI[NUM] = {0.05, 0.1, 0.2, 0.3, 0.35, 0.4, 0.45};
-  static constexpr double LOW[NUM] = {0.12, 0.23, 0.39, 0.40, 0.33, 0.22, 0.12};
+  static constexpr double LOW[NUM] = {0.12, 0.23, 0.38, 0.40, 0.33, 0.22, 0.12};
   if (phi <= PHI[0]) return LOW[0] * phi / PHI[0];
   for (int m = 1; m < NUM; m++)
     if (phi <= PHI[m])
