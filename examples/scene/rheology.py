@@ -157,6 +157,16 @@ def steady_from(x, *signals):
         return x[len(x) // 2]
 
 
+def steady_means(data, means, by=("v_sxy",), strain="v_gamma"):
+    """Row of a table: where the signals by become steady, and mean and error of the columns in means, a dict of their names."""
+    start = steady_from(data[strain], *(data[name] for name in by))
+    row = {"from": f"{start:.2f}"}
+    for name, column in means.items():
+        found = estimate(data[column][data[strain] >= start])
+        row["mean_" + name], row[f"mean_{name}_error"] = (f"{value:.5g}" for value in found)
+    return row
+
+
 def stack_parts(ax, x, data, sign=1.0):
     """Parts of the shear stress (times sign) against x, stacked on that of the fluid."""
     parts = {name: data[name] for name in PARTS if name in data and np.any(data[name])}

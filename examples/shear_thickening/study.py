@@ -67,14 +67,9 @@ def variables(case):
 def measure(case):
     data = rheology.simulate(HERE / "in.shear_thickening", variables(case))
     strain = data["v_gamma"]
-    start = rheology.steady_from(strain, data["v_phi_now"] if case["drive"] == "iv" else data["v_gamma_dot"], data["v_sxy"])
     data["v_syy"] = -data["v_syy"]
-    row = dict(case)
-    row["from"], row["crept"] = f"{start:.2f}", f"{strain[-1] - strain[0]:.2f}"
-    for name, column in MEANS.items():
-        found = rheology.estimate(data[column][strain >= start])
-        row["mean_" + name], row[f"mean_{name}_error"] = (f"{v:.5g}" for v in found)
-    return row
+    means = rheology.steady_means(data, MEANS, ("v_phi_now" if case["drive"] == "iv" else "v_gamma_dot", "v_sxy"))
+    return {**case, **means, "crept": f"{strain[-1] - strain[0]:.2f}"}
 
 
 def main():

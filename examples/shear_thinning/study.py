@@ -32,13 +32,7 @@ def measure(case):
     data = rheology.simulate(HERE / "in.shear_thinning",
                              {**chosen, "friction": case["mu"], "critical": case["F"], "pressure": f"{PRESSURE:g}"})
     data["v_sxy"] = data["v_sxy"] * PRESSURE    # over viscosity*rate
-    strain = data["v_gamma"]
-    start = rheology.steady_from(strain, data["v_sxy"])
-    row = {**case, "from": f"{start:.2f}"}
-    for name, column in MEANS.items():
-        found = rheology.estimate(data[column][strain >= start])
-        row["mean_" + name], row[f"mean_{name}_error"] = (f"{value:.5g}" for value in found)
-    return row
+    return {**case, **rheology.steady_means(data, MEANS)}
 
 
 def main():

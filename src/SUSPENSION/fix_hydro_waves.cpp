@@ -79,10 +79,18 @@ void HydroWaves::set_response(
 {
 #ifdef SUSPENSION_FFTW
   const double density = 1.0 / grid.point_volume();
+  std::vector<double> undo[3];    // by the numbers of waves: what makes up for both splines
+  for (int d = 0; d < 3; d++)
+    for (int m = 0; m < points()[d]; m++) {
+      const double spline = spline_wave(signed_wave(m, points()[d]), points()[d], order);
+      undo[d].push_back(1.0 / (spline * spline));
+    }
+  const auto of = [&](int d, int number) {
+    return undo[d][number < 0 ? number + points()[d] : number];
+  };
   const auto response = [&](const WaveVector &wave) {
-    const double spline = spline_wave(wave.number[0], grid.nx, order) *
-        spline_wave(wave.number[1], grid.ny, order) * spline_wave(wave.number[2], grid.nz, order);
-    const double both = density / (spline * spline);
+    const double both =
+        density * of(0, wave.number[0]) * of(1, wave.number[1]) * of(2, wave.number[2]);
     const WaveFactors plain = f(wave);
     return WaveFactors{both * plain.across, both * plain.along};
   };
